@@ -95,8 +95,8 @@ std::string writeBag(const ConvertArguments& arguments, RecordingFormat format, 
                                   : std::string();
   const ros1::BagReport bag =
       ros1::exportBag(*open(arguments, format), arguments.out, secondsOfIso(created), &progress);
-  return fmt::format("{} motor samples, {} joint samples, {} tips, {} images", bag.motors, bag.joints, bag.tips,
-                     bag.images);
+  return fmt::format("{} motor samples, {} joint samples, {} tips, {} images", bag.motors, bag.joints,
+                     bag.tips, bag.images);
 }
 
 /// Writes OUT and returns the amount written as text, which is meaningless once `progress` is cancelled.
@@ -163,8 +163,8 @@ ExitCode convert(const ConvertArguments& arguments) {
 
 void addConvert(CLI::App& app, ExitCode& exit) {
   auto arguments = std::make_shared<ConvertArguments>();
-  CLI::App* command =
-      app.add_subcommand("convert", "Convert sessions to tables, ROS bags, images or videos, and these to sessions");
+  CLI::App* command = app.add_subcommand(
+      "convert", "Convert sessions to tables, ROS bags, images or videos, and these to sessions");
   command->add_option("IN", arguments->in, recording::recordingKinds())->required();
   command->add_option("OUT", arguments->out, "file or folder to write")->required();
   command

@@ -58,7 +58,8 @@ std::optional<RowPlay> rowPlayOf(const PlayArguments& arguments) {
 
 std::optional<ImagePlay> imagePlayOf(const PlayArguments& arguments) {
   if (arguments.to == kRos && !arguments.video.empty())
-    refuseOption("--video", arguments.video, "is given, yet --to ros publishes the images, too", "Leave it out");
+    refuseOption("--video", arguments.video, "is given, yet --to ros publishes the images, too",
+                 "Leave it out");
   if (arguments.video.empty()) {
     if (!arguments.video_faults.empty() && arguments.to != kRos)
       refuseOption("--video-fault", arguments.video_faults.front(), "needs --video", "Give --video");
@@ -128,16 +129,18 @@ Played playRos(const PlayArguments& arguments, RecordingFormat format, const Row
   notice(fmt::format("waiting for subscribers of {}", player.words()));
   if (!player.waitForSubscribers(images, kPatience, &progress)) {
     if (progress.cancelled()) return {};
-    refuseOption("--to", kRos, fmt::format("has no subscriber of {} after {} s", player.words(), kPatience.count()),
+    refuseOption("--to", kRos,
+                 fmt::format("has no subscriber of {} after {} s", player.words(), kPatience.count()),
                  "Start the receiver first, for example: capstan-cli track --live resources/live/ros.yaml");
   }
   const live::PlayClock clock{.begin = motors->info().begin, .speed = arguments.speed};
   std::future<live::ImagePlayReport> shown;
   if (images)
     shown = std::async(std::launch::async, [&] {
-      return player.playImages(*cameras, clock,
-                               optionsOf(arguments.video_faults, arguments.seed, "--video-fault", live::parseImageFault),
-                               &progress);
+      return player.playImages(
+          *cameras, clock,
+          optionsOf(arguments.video_faults, arguments.seed, "--video-fault", live::parseImageFault),
+          &progress);
     });
   Played played{player.playRows(*motors, clock, rows.options, &progress), {}};
   if (shown.valid()) played.images = shown.get();

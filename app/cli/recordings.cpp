@@ -53,9 +53,10 @@ RecordingFormat formatOf(const std::string& name, const std::string& file) {
 
 void addTopics(CLI::App& command, std::string& topics) {
   command
-      .add_option(kTopics, topics,
-                  "topics of a ROS bag as NAME=TOPIC, where they are not found by themselves. NAME: motors,\n"
-                  "joints, encoders, left, right, left_info, right_info, tip; e.g. motors=/arm/motors,left=none")
+      .add_option(
+          kTopics, topics,
+          "topics of a ROS bag as NAME=TOPIC, where they are not found by themselves. NAME: motors,\n"
+          "joints, encoders, left, right, left_info, right_info, tip; e.g. motors=/arm/motors,left=none")
       ->allow_extra_args(false);
 }
 

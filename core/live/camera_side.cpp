@@ -72,8 +72,7 @@ void CameraSide::work(int stream) {
   std::unique_ptr<VideoStream> video = std::move(first_[static_cast<std::size_t>(stream)]);
   while (!quit_) {
     try {
-      if (!video)
-        video = std::make_unique<VideoStream>(address, settingsOf(setup_));
+      if (!video) video = std::make_unique<VideoStream>(address, settingsOf(setup_));
       readStream(stream, *video);
     } catch (const std::exception& error) {
       const std::lock_guard lock(mutex_);

@@ -18,8 +18,8 @@
 namespace capstan::live {
 
 /// Reads the images of one or two streams, or ROS topics, on threads of their own, pairs them, and puts the
-/// pairs into a queue. A stream that ends or falls silent is opened again. Images of ROS topics have the times
-/// of their stamps, whose clock is mapped to that of this computer (ClockMap).
+/// pairs into a queue. A stream that ends or falls silent is opened again. Images of ROS topics have the
+/// times of their stamps, whose clock is mapped to that of this computer (ClockMap).
 class CameraSide {
  public:
   using Clock = std::chrono::steady_clock;
@@ -53,8 +53,8 @@ class CameraSide {
   FramePairer pairer_;
   tracking::SideStatus status_;
   Clock::time_point last_{};
-  ClockMap clock_;            ///< from stamps to this computer's clock
-  std::int64_t origin_ = 0;   ///< first stamp [ns]; 0: none yet
+  ClockMap clock_;           ///< from stamps to this computer's clock
+  std::int64_t origin_ = 0;  ///< first stamp [ns]; 0: none yet
   const Clock::time_point start_ = Clock::now();
 
   std::vector<std::thread> threads_;

@@ -71,7 +71,8 @@ void writeLiveSetup(const LiveSetup& setup, const std::filesystem::path& path) {
 
 LiveSetup liveSetupOf(const std::string& text, const std::string& robot, const std::string& read_as) {
   if (isAddress(text) || isFifo(text)) {
-    LiveSetup setup{.title = text == "-" ? "standard input" : text, .robot = robot, .motors = {}, .cameras = {}};
+    LiveSetup setup{
+        .title = text == "-" ? "standard input" : text, .robot = robot, .motors = {}, .cameras = {}};
     setup.motors.from = text, setup.motors.read_as = read_as;
     check(setup, {});
     return setup;

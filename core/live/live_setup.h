@@ -24,8 +24,8 @@ struct RowsSetup {
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& field) {
-    field(self.from, {"from", "",
-                      "- (standard input), path of a FIFO, tcp://ADDRESS:PORT to listen on, or ros:/TOPIC"});
+    field(self.from,
+          {"from", "", "- (standard input), path of a FIFO, tcp://ADDRESS:PORT to listen on, or ros:/TOPIC"});
     field(self.read_as, {"read_as", "", "units that are not SI, as in q_m=deg,t=ms", {}, false});
     field(self.motors,
           {"motors", "", "motor of the rows (1, 2, 3) that drives joint 1, 2, 3", {1.0, 3.0}, false});
@@ -59,10 +59,13 @@ struct CamerasSetup {
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& field) {
-    field(self.left, {"left", "", "device (/dev/video0), network stream (rtsp://…), video file or ros:/TOPIC"});
+    field(self.left,
+          {"left", "", "device (/dev/video0), network stream (rtsp://…), video file or ros:/TOPIC"});
     field(self.right, {"right", "", "the same for the right camera; none if one stream has both", {}, false});
     field(self.layout, {"layout", "", "two, side_by_side or top_bottom", {}, false});
-    field(self.calibration, {"calibration", "", "ROS folder, Kalibr or OpenCV file of the cameras, or ros (camera_info beside the images)"});
+    field(self.calibration,
+          {"calibration", "",
+           "ROS folder, Kalibr or OpenCV file of the cameras, or ros (camera_info beside the images)"});
     field(self.registration, {"registration", "", "registration file; none: register first", {}, false});
     field(self.latency, {"latency", "s", "from exposure to arrival", {0.0, 2.0}, false});
     field(self.pairing, {"pairing", "s", "largest time between two images of a pair", {0.0, 1.0}, false});

@@ -24,7 +24,11 @@ using tracking::StereoFrame;
 RosPlayer::RosPlayer(const tracking::SourceInfo& info)
     : messages_(info), begin_(info.begin), ros_begin_(ros1::rosTimeNow()) {
   if (!ros1::isMasterThere())
-    throw base::InputError({ros1::masterAddress(), 0, {}, {}, "is the address of no ROS master that answers",
+    throw base::InputError({ros1::masterAddress(),
+                            0,
+                            {},
+                            {},
+                            "is the address of no ROS master that answers",
                             "Start one with roscore, or set ROS_MASTER_URI"});
   // What a program needs before the first sample is latched: it can come late.
   std::vector<ros1::OutMessage> facts = messages_.calibration(ros_begin_);

@@ -10,14 +10,12 @@
 namespace capstan::live {
 namespace {
 
-constexpr std::size_t kCapacity = 4000;               // messages: 4 s of 1 kHz
+constexpr std::size_t kCapacity = 4000;  // messages: 4 s of 1 kHz
 constexpr std::chrono::milliseconds kWaitForEncoders{20};
 constexpr double kSameTime = 2e-4;  // [s] between stamps of motors and encoders of one cycle
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-ros1::MotorChoice choiceOf(const RowsSetup& setup) {
-  return {setup.names, 1.0, setup.zero, setup.arm - 1};
-}
+ros1::MotorChoice choiceOf(const RowsSetup& setup) { return {setup.names, 1.0, setup.zero, setup.arm - 1}; }
 
 void push(recording::TableColumns& columns, const Eigen::Vector3d& value) {
   columns.resize(3);
@@ -64,7 +62,11 @@ M RosRows::decoded(const ros1::TopicMessage& message) const {
   try {
     return ros1::decode<M>(message.bytes);
   } catch (const std::exception& error) {
-    throw base::InputError({name(), 0, {}, message.type, std::string("is damaged: ") + error.what(),
+    throw base::InputError({name(),
+                            0,
+                            {},
+                            message.type,
+                            std::string("is damaged: ") + error.what(),
                             "Check the program that publishes it"});
   }
 }
@@ -80,7 +82,11 @@ void RosRows::takeMotors(const ros1::TopicMessage& message) {
     return;
   }
   if (message.type != "sensor_msgs/JointState")
-    throw base::InputError({"ros:" + topic_, 0, {}, message.type, "is no message of motors",
+    throw base::InputError({"ros:" + topic_,
+                            0,
+                            {},
+                            message.type,
+                            "is no message of motors",
                             "Choose a topic of type sensor_msgs/JointState or raven_state"});
   const auto state = decoded<ros1::JointState>(message);
   const std::int64_t stamp = state.header.stamp != 0 ? state.header.stamp : ros1::rosTimeNow();

@@ -52,7 +52,7 @@ class RosRows final : public RowInput {
   std::int64_t origin_ = 0;  ///< first stamp [ns]; 0: none yet
   std::uint64_t connections_ = 0;
   std::deque<ros1::TopicMessage> received_, received_encoders_;  ///< that take() has not decoded yet
-  std::deque<Row> rows_;  ///< that wait for their encoders
+  std::deque<Row> rows_;                                         ///< that wait for their encoders
   std::deque<Encoders> joints_;
 };
 

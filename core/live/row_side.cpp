@@ -7,8 +7,7 @@ namespace capstan::live {
 
 using State = tracking::SideStatus::State;
 
-RowSide::RowSide(std::unique_ptr<RowInput> input, robot::Description robot, Faults faults,
-                 SampleQueue& queue)
+RowSide::RowSide(std::unique_ptr<RowInput> input, robot::Description robot, Faults faults, SampleQueue& queue)
     : input_(std::move(input)), robot_(std::move(robot)), faults_(faults), queue_(queue) {
   status_.name = "motors";
   status_.from = input_->name();

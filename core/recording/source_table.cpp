@@ -29,7 +29,8 @@ void place(MeasuredTable& table, const std::vector<tracking::JointSample>& joint
            const std::vector<tracking::TipSample>& tips) {
   for (const tracking::JointSample& joint : joints) {
     const auto row = std::lower_bound(table.t.begin(), table.t.end(), joint.t);
-    if (row != table.t.end()) setRow(table.q, static_cast<std::size_t>(row - table.t.begin()), joint.position);
+    if (row != table.t.end())
+      setRow(table.q, static_cast<std::size_t>(row - table.t.begin()), joint.position);
   }
   for (const tracking::TipSample& tip : tips) {
     const auto after = std::upper_bound(table.t.begin(), table.t.end(), tip.t);

@@ -17,7 +17,8 @@ namespace capstan::ros1 {
 namespace {
 
 ros::Time timeOf(std::int64_t nanoseconds) {
-  return {static_cast<std::uint32_t>(nanoseconds / kSecond), static_cast<std::uint32_t>(nanoseconds % kSecond)};
+  return {static_cast<std::uint32_t>(nanoseconds / kSecond),
+          static_cast<std::uint32_t>(nanoseconds % kSecond)};
 }
 
 /// ROS time of a time of the session [ns].
@@ -25,7 +26,11 @@ std::int64_t stampOf(double t, int epoch) {
   const std::int64_t stamp = epoch * kSecond + nanosecondsOf(t);
   constexpr double kLast = 4294967295.0;  // [s]
   if (!(std::abs(t) < kLast) || stamp <= 0 || stamp / kSecond > static_cast<std::int64_t>(kLast))
-    throw base::InputError({{}, 0, "t", fmt::format("{}", t), "is a time that ROS cannot state",
+    throw base::InputError({{},
+                            0,
+                            "t",
+                            fmt::format("{}", t),
+                            "is a time that ROS cannot state",
                             "Subtract a constant from the times of the recording"});
   return stamp;
 }
@@ -69,11 +74,16 @@ BagReport exportBag(tracking::Source& source, const std::filesystem::path& path,
       if (!progress || report.motors % 256 != 0) continue;
       if (progress->cancelled()) return report;
       if (info.duration > 0.0)
-        progress->report(std::clamp((timeOf(sample) - info.begin) / info.duration, 0.0, 1.0), "writing the bag");
+        progress->report(std::clamp((timeOf(sample) - info.begin) / info.duration, 0.0, 1.0),
+                         "writing the bag");
     }
     bag.close();
   } catch (const rosbag::BagException& error) {
-    throw base::InputError({path.string(), 0, {}, {}, fmt::format("cannot be written: {}", error.what()),
+    throw base::InputError({path.string(),
+                            0,
+                            {},
+                            {},
+                            fmt::format("cannot be written: {}", error.what()),
                             "Check the folder, its permissions and the space on the disk"});
   }
   part.commit();

@@ -35,7 +35,11 @@ auto naming(const std::filesystem::path& path, const BagMessage& message, Work&&
   } catch (const base::InputError&) {
     throw;
   } catch (const std::exception& error) {
-    throw base::InputError({place, 0, {}, {}, fmt::format("is no {}: {}", message.type, error.what()),
+    throw base::InputError({place,
+                            0,
+                            {},
+                            {},
+                            fmt::format("is no {}: {}", message.type, error.what()),
                             "Record the topic again, or choose another one with --topics"});
   }
 }
@@ -60,19 +64,21 @@ void BagReader::readFacts(const robot::Description& robot) {
   info_.duration = secondsOf(file_.end() - file_.begin());
   file_.choose({kSessionTopic});
   if (const auto message = file_.next()) {
-    const SessionText text = naming(path_, *message, [&] {
-      return parseSessionText(decode<Text>(message->bytes).data, {});
-    });
+    const SessionText text =
+        naming(path_, *message, [&] { return parseSessionText(decode<Text>(message->bytes).data, {}); });
     takeSessionText(text, path_.string(), info_);
     exact_ = text.epoch > 0;
     origin_ = arrival_origin_ = text.epoch * kSecond;
   }
   info_.reference = !topics_.joints.empty() || !topics_.encoders.empty();
   if (info_.robot.size() != 3)
-    throw base::InputError({path_.string(), 0, {}, {},
-                            fmt::format("is tracked with three joints, {} has {}", info_.robot.name,
-                                        info_.robot.size()),
-                            "Choose the robot file of a three-joint arm"});
+    throw base::InputError(
+        {path_.string(),
+         0,
+         {},
+         {},
+         fmt::format("is tracked with three joints, {} has {}", info_.robot.name, info_.robot.size()),
+         "Choose the robot file of a three-joint arm"});
 }
 
 void BagReader::readMotorBegin() {
@@ -101,7 +107,10 @@ void BagReader::readMotorBegin() {
 
 void BagReader::readCalibration() {
   if (topics_.left.empty() != topics_.right.empty())
-    throw base::InputError({path_.string(), 0, topics_.left.empty() ? "left" : "right", {},
+    throw base::InputError({path_.string(),
+                            0,
+                            topics_.left.empty() ? "left" : "right",
+                            {},
                             "has no images, the other camera has",
                             "Choose its topic with --topics, or none for both: left=none,right=none"});
   if (topics_.left.empty()) return;
@@ -115,16 +124,16 @@ void BagReader::readCalibration() {
                               "has no sensor_msgs/CameraInfo, without which images cannot be used",
                               "Record camera_info, too, choose it with --topics, or leave the images out: "
                               "--topics left=none,right=none"});
-    texts[side] = naming(path_, *message,
-                         [&] { return calibrationTextOf(decode<CameraInfo>(message->bytes)); });
+    texts[side] =
+        naming(path_, *message, [&] { return calibrationTextOf(decode<CameraInfo>(message->bytes)); });
   }
   info_.rig = base::namingFile(path_.string(), [&] { return vision::parseStereoRig(texts[0], texts[1]); });
 }
 
 std::vector<std::string> BagReader::sampleTopics() const {
   std::vector<std::string> topics;
-  for (const std::string* topic : {&topics_.motors, &topics_.joints, &topics_.encoders, &topics_.left,
-                                   &topics_.right, &topics_.tip})
+  for (const std::string* topic :
+       {&topics_.motors, &topics_.joints, &topics_.encoders, &topics_.left, &topics_.right, &topics_.tip})
     if (!topic->empty()) topics.push_back(*topic);
   return topics;
 }
@@ -169,7 +178,8 @@ void BagReader::take(const BagMessage& message) {
   } else if (message.topic == topics_.tip) {
     const auto tip = decode<PointStamped>(message.bytes);
     const double t = timeOf(tip.header.stamp, arrival);
-    samples_.emplace_back(tracking::TipSample{t, std::max(t, arrival), {tip.point[0], tip.point[1], tip.point[2]}});
+    samples_.emplace_back(
+        tracking::TipSample{t, std::max(t, arrival), {tip.point[0], tip.point[1], tip.point[2]}});
   } else {
     const auto joints = decode<JointState>(message.bytes);
     if (const auto sample = jointOf(joints, timeOf(joints.header.stamp, arrival)))
@@ -205,8 +215,8 @@ void BagReader::takeImage(const BagMessage& message, int side, double arrival) {
     if (!images_) images_ = tracking::StereoFrame{t, arrival, {}, {}};
     (side == 0 ? images_->left : images_->right) = image;
   } else if (auto pair = pairer_.add(side, t, image)) {
-    samples_.emplace_back(
-        tracking::StereoFrame{pair->t, std::max(pair->t, arrival), std::move(pair->left), std::move(pair->right)});
+    samples_.emplace_back(tracking::StereoFrame{pair->t, std::max(pair->t, arrival), std::move(pair->left),
+                                                std::move(pair->right)});
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include "core/live/cameras/frame_pairer.h"
 #include "core/ros1/bag_file.h"
+#include "core/ros1/bag_topics.h"
 #include "core/ros1/joint_message.h"
 #include "core/ros1/session_text.h"
 #include "core/tracking/source.h"
@@ -36,7 +37,8 @@ class BagReader final : public tracking::Source {
   BagTopics topics_;
   tracking::SourceInfo info_;
   bool exact_ = false;  ///< exportBag() wrote the bag
-  std::int64_t origin_ = 0, arrival_origin_ = 0;  ///< stamp and time of recording at the session's time 0 [ns]
+  std::int64_t origin_ = 0,
+               arrival_origin_ = 0;  ///< stamp and time of recording at the session's time 0 [ns]
   std::optional<RavenStateLayout> raven_;
   std::optional<robot::RavenSoftware> software_;
   live::FramePairer pairer_;

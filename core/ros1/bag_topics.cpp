@@ -160,7 +160,8 @@ BagTopics parseBagTopics(const std::string& text, const std::string& option) {
     const auto role = std::ranges::find_if(kRoles, [&](const Role& one) { return one.name == name; });
     if (role == kRoles.end() || equal == std::string::npos || equal + 1 == part.size())
       refuse(option, part, "names no topic",
-             "Write NAME=TOPIC with NAME one of motors, joints, encoders, left, right, left_info, right_info, tip");
+             "Write NAME=TOPIC with NAME one of motors, joints, encoders, left, right, left_info, "
+             "right_info, tip");
     topics.*(role->topic) = part.substr(equal + 1);
     if (topics.*(role->topic) != kNone && part[equal + 1] != '/')
       refuse(option, part, "has a topic that does not begin with /", "Write it as rosbag info shows it");

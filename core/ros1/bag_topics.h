@@ -9,9 +9,9 @@ namespace capstan::ros1 {
 
 /// Topics of a bag by their meaning. Empty: found automatically; "none": not used.
 struct BagTopics {
-  std::string motors;      ///< sensor_msgs/JointState of the motors, or a RAVEN-II's raven_state
-  std::string joints;      ///< JointState of joints that the robot computes from its motors
-  std::string encoders;    ///< JointState of joint encoders, the reference
+  std::string motors;                 ///< sensor_msgs/JointState of the motors, or a RAVEN-II's raven_state
+  std::string joints;                 ///< JointState of joints that the robot computes from its motors
+  std::string encoders;               ///< JointState of joint encoders, the reference
   std::string left, right;            ///< sensor_msgs/Image or CompressedImage
   std::string left_info, right_info;  ///< sensor_msgs/CameraInfo
   std::string tip;                    ///< geometry_msgs/PointStamped in frame 0
@@ -23,7 +23,8 @@ struct BagTopics {
 BagTopics ourTopics();
 inline constexpr const char* kSessionTopic = "/capstan/session";  ///< std_msgs/String: SessionText
 
-/// Parses "motors=/PSM1/actuators/measured_js,left=/camera/left". Throws base::InputError that names `option`.
+/// Parses "motors=/PSM1/actuators/measured_js,left=/camera/left". Throws base::InputError that names
+/// `option`.
 BagTopics parseBagTopics(const std::string& text, const std::string& option);
 
 /// Completes `chosen` from the topics that there are:

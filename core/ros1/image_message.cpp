@@ -19,18 +19,17 @@ namespace {
 struct Encoding {
   int channels, conversion;
 };
-const std::map<std::string, Encoding, std::less<>> kEncodings = {
-    {"bgr8", {3, -1}},
-    {"8UC3", {3, -1}},
-    {"rgb8", {3, cv::COLOR_RGB2BGR}},
-    {"bgra8", {4, cv::COLOR_BGRA2BGR}},
-    {"rgba8", {4, cv::COLOR_RGBA2BGR}},
-    {"mono8", {1, cv::COLOR_GRAY2BGR}},
-    {"8UC1", {1, cv::COLOR_GRAY2BGR}},
-    {"bayer_rggb8", {1, cv::COLOR_BayerBG2BGR}},
-    {"bayer_bggr8", {1, cv::COLOR_BayerRG2BGR}},
-    {"bayer_gbrg8", {1, cv::COLOR_BayerGR2BGR}},
-    {"bayer_grbg8", {1, cv::COLOR_BayerGB2BGR}}};
+const std::map<std::string, Encoding, std::less<>> kEncodings = {{"bgr8", {3, -1}},
+                                                                 {"8UC3", {3, -1}},
+                                                                 {"rgb8", {3, cv::COLOR_RGB2BGR}},
+                                                                 {"bgra8", {4, cv::COLOR_BGRA2BGR}},
+                                                                 {"rgba8", {4, cv::COLOR_RGBA2BGR}},
+                                                                 {"mono8", {1, cv::COLOR_GRAY2BGR}},
+                                                                 {"8UC1", {1, cv::COLOR_GRAY2BGR}},
+                                                                 {"bayer_rggb8", {1, cv::COLOR_BayerBG2BGR}},
+                                                                 {"bayer_bggr8", {1, cv::COLOR_BayerRG2BGR}},
+                                                                 {"bayer_gbrg8", {1, cv::COLOR_BayerGR2BGR}},
+                                                                 {"bayer_grbg8", {1, cv::COLOR_BayerGB2BGR}}};
 
 template <class Numbers>
 std::string listText(const Numbers& numbers) {
@@ -68,15 +67,16 @@ cv::Mat imageOf(const Image& message) {
                             message.encoding,
                             "is not supported",
                             "Publish bgr8, rgb8, mono8 or an 8-bit Bayer pattern"});
-  const auto row = static_cast<std::uint64_t>(message.width) * static_cast<std::uint64_t>(encoding->second.channels);
+  const auto row =
+      static_cast<std::uint64_t>(message.width) * static_cast<std::uint64_t>(encoding->second.channels);
   if (message.width == 0 || message.height == 0 || message.width > 65536 || message.height > 65536 ||
       message.step < row || static_cast<std::uint64_t>(message.step) * message.height > message.data.size())
     throw base::InputError({{},
                             0,
                             "data",
                             fmt::format("{} bytes", message.data.size()),
-                            fmt::format("do not hold {} x {} pixels of {} with a step of {} bytes", message.width,
-                                        message.height, message.encoding, message.step),
+                            fmt::format("do not hold {} x {} pixels of {} with a step of {} bytes",
+                                        message.width, message.height, message.encoding, message.step),
                             "Check the program that publishes the images"});
   const cv::Mat given(static_cast<int>(message.height), static_cast<int>(message.width),
                       CV_8UC(encoding->second.channels), const_cast<std::uint8_t*>(message.data.data()),
@@ -103,7 +103,8 @@ cv::Mat imageOf(const CompressedImage& message) {
 Image messageOf(const cv::Mat& image, MessageHeader header) {
   Image message;
   message.header = std::move(header);
-  message.width = static_cast<std::uint32_t>(image.cols), message.height = static_cast<std::uint32_t>(image.rows);
+  message.width = static_cast<std::uint32_t>(image.cols),
+  message.height = static_cast<std::uint32_t>(image.rows);
   message.encoding = image.channels() == 1 ? "mono8" : "bgr8";
   const std::size_t row = static_cast<std::size_t>(image.cols) * image.elemSize();
   message.step = static_cast<std::uint32_t>(row);
@@ -116,11 +117,11 @@ Image messageOf(const cv::Mat& image, MessageHeader header) {
 std::string calibrationTextOf(const CameraInfo& message) {
   std::vector<double> d = message.d;
   d.resize(std::max<std::size_t>(d.size(), 5));
-  return fmt::format("image_width: {}\nimage_height: {}\ncamera_name: \"{}\"\n", message.width, message.height,
-                     message.header.frame) +
+  return fmt::format("image_width: {}\nimage_height: {}\ncamera_name: \"{}\"\n", message.width,
+                     message.height, message.header.frame) +
          matrixText("camera_matrix", 3, 3, listText(message.k)) +
-         fmt::format("distortion_model: {}\n", message.distortion_model.empty() ? "plumb_bob"
-                                                                                : message.distortion_model) +
+         fmt::format("distortion_model: {}\n",
+                     message.distortion_model.empty() ? "plumb_bob" : message.distortion_model) +
          matrixText("distortion_coefficients", 1, static_cast<int>(d.size()), listText(d)) +
          matrixText("rectification_matrix", 3, 3, listText(message.r)) +
          matrixText("projection_matrix", 3, 4, listText(message.p));

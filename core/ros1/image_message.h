@@ -10,7 +10,8 @@
 namespace capstan::ros1 {
 
 /// 8-bit BGR image of a message. Encodings: bgr8, rgb8, bgra8, rgba8, mono8, 8UC1, 8UC3 and the four Bayer
-/// patterns of 8 bits. Throws base::InputError for another encoding and for a size that does not fit the data.
+/// patterns of 8 bits. Throws base::InputError for another encoding and for a size that does not fit the
+/// data.
 cv::Mat imageOf(const Image& message);
 /// The same of a JPEG or PNG image. Throws base::InputError for data that are no image.
 cv::Mat imageOf(const CompressedImage& message);

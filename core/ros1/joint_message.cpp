@@ -25,13 +25,13 @@ std::array<std::size_t, 3> indicesOf(const JointState& message, const MotorChoic
   for (std::size_t k = 0; k < choice.names.size() && k < 3; ++k) {
     const auto found = std::ranges::find(message.name, choice.names[k]);
     if (found == message.name.end())
-      throw base::InputError({{},
-                              0,
-                              "names",
-                              choice.names[k],
-                              fmt::format("is not in the message, which has: {}",
-                                          fmt::join(message.name, ", ")),
-                              "Give three of these names, or none for the first three"});
+      throw base::InputError(
+          {{},
+           0,
+           "names",
+           choice.names[k],
+           fmt::format("is not in the message, which has: {}", fmt::join(message.name, ", ")),
+           "Give three of these names, or none for the first three"});
     indices[k] = static_cast<std::size_t>(found - message.name.begin());
   }
   if (const std::size_t last = *std::ranges::max_element(indices); last >= message.position.size())

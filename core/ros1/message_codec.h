@@ -12,7 +12,8 @@ const MessageType& typeOf();
 /// Serialised message, as it is sent and stored in bags.
 template <class M>
 Bytes encode(const M& message);
-/// Inverse of encode(). Throws std::exception for bytes that end too early.
+/// Inverse of encode(), for messages that come from others: not for poses. Throws std::exception for bytes
+/// that end too early.
 template <class M>
 M decode(const Bytes& bytes);
 

@@ -10,17 +10,13 @@ namespace capstan::ros1 {
 namespace {
 
 const std::map<std::string, std::size_t, std::less<>> kSizes = {
-    {"bool", 1},    {"int8", 1},  {"uint8", 1},  {"byte", 1},  {"char", 1},    {"int16", 2},   {"uint16", 2},
-    {"int32", 4},   {"uint32", 4}, {"float32", 4}, {"int64", 8}, {"uint64", 8}, {"float64", 8}, {"time", 8},
-    {"duration", 8}};
+    {"bool", 1},  {"int8", 1},   {"uint8", 1},   {"byte", 1},   {"char", 1},
+    {"int16", 2}, {"uint16", 2}, {"int32", 4},   {"uint32", 4}, {"float32", 4},
+    {"int64", 8}, {"uint64", 8}, {"float64", 8}, {"time", 8},   {"duration", 8}};
 
 [[noreturn]] void refuse(const std::string& field, const std::string& reason) {
-  throw base::InputError({{},
-                          0,
-                          field,
-                          {},
-                          reason,
-                          "Check that the topic is the ravenstate of a RAVEN-II's own software"});
+  throw base::InputError(
+      {{}, 0, field, {}, reason, "Check that the topic is the ravenstate of a RAVEN-II's own software"});
 }
 
 /// Size in bytes of a field of the type `type`, as float32[16]; 0: the type is not one of fixed length.
@@ -71,7 +67,8 @@ float32[16] encoffsets
 )";
 
 bool isRavenState(const std::string& type) {
-  return type == "raven_state" || (type.size() > 12 && type.compare(type.size() - 12, 12, "/raven_state") == 0);
+  return type == "raven_state" ||
+         (type.size() > 12 && type.compare(type.size() - 12, 12, "/raven_state") == 0);
 }
 
 RavenStateLayout::RavenStateLayout(const std::string& definition) {
@@ -86,7 +83,8 @@ RavenStateLayout::RavenStateLayout(const std::string& definition) {
     std::string type, name;
     if (!(words >> type >> name) || line.find('=') != std::string::npos) continue;
     if (!header) {
-      if (type != "Header" && type != "std_msgs/Header") refuse(name, "comes before the header of the message");
+      if (type != "Header" && type != "std_msgs/Header")
+        refuse(name, "comes before the header of the message");
       header = true;
       continue;
     }

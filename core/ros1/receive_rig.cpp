@@ -20,11 +20,14 @@ vision::StereoRig receiveRig(const std::string& left_image, const std::string& r
     TopicReader reader(topics[side], 1);
     const auto message = reader.next(patience);
     if (!message || message->type != "sensor_msgs/CameraInfo")
-      throw base::InputError({"ros:" + topics[side], 0, {}, {}, "publishes no sensor_msgs/CameraInfo",
+      throw base::InputError({"ros:" + topics[side],
+                              0,
+                              {},
+                              {},
+                              "publishes no sensor_msgs/CameraInfo",
                               "Start the cameras first, or give the folder of a calibration"});
-    texts[side] = base::namingFile("ros:" + topics[side], [&] {
-      return calibrationTextOf(decode<CameraInfo>(message->bytes));
-    });
+    texts[side] = base::namingFile("ros:" + topics[side],
+                                   [&] { return calibrationTextOf(decode<CameraInfo>(message->bytes)); });
   }
   return vision::parseStereoRig(texts[0], texts[1]);
 }

@@ -13,7 +13,11 @@ StampedImage decoded(const TopicMessage& message) {
   try {
     decoded = decode<M>(message.bytes);
   } catch (const std::exception& error) {
-    throw base::InputError({{}, 0, {}, message.type, std::string("is damaged: ") + error.what(),
+    throw base::InputError({{},
+                            0,
+                            {},
+                            message.type,
+                            std::string("is damaged: ") + error.what(),
                             "Check the program that publishes it"});
   }
   return {decoded.header.stamp, imageOf(decoded)};
@@ -24,7 +28,11 @@ StampedImage decoded(const TopicMessage& message) {
 StampedImage imageOf(const TopicMessage& message) {
   if (message.type == "sensor_msgs/Image") return decoded<Image>(message);
   if (message.type == "sensor_msgs/CompressedImage") return decoded<CompressedImage>(message);
-  throw base::InputError({{}, 0, {}, message.type, "is no image",
+  throw base::InputError({{},
+                          0,
+                          {},
+                          message.type,
+                          "is no image",
                           "Choose a topic of type sensor_msgs/Image or sensor_msgs/CompressedImage"});
 }
 

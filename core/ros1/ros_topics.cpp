@@ -22,7 +22,11 @@ using Event = ros::MessageEvent<RawMessage const>;
 void checkTopic(const std::string& topic) {
   std::string reason;
   if (topic.empty() || topic[0] != '/' || !ros::names::validate(topic, reason))
-    throw base::InputError({{}, 0, "topic", topic, "is no name of a ROS topic",
+    throw base::InputError({{},
+                            0,
+                            "topic",
+                            topic,
+                            "is no name of a ROS topic",
                             "Begin it with / and use letters, digits, _ and /"});
 }
 
@@ -72,10 +76,10 @@ class TopicReader::Impl : public std::enable_shared_from_this<TopicReader::Impl>
     const std::lock_guard<std::mutex> lock(subscribing_);
     subscriber_.shutdown();
     ros::SubscribeOptions options;
-    options.initByFullCallbackType<const Event&>(
-        topic_, static_cast<std::uint32_t>(capacity_), [weak = weak_from_this()](const Event& event) {
-          if (const auto self = weak.lock()) self->take(event);
-        });
+    options.initByFullCallbackType<const Event&>(topic_, static_cast<std::uint32_t>(capacity_),
+                                                 [weak = weak_from_this()](const Event& event) {
+                                                   if (const auto self = weak.lock()) self->take(event);
+                                                 });
     options.md5sum = "*", options.datatype = "*";
     options.transport_hints = ros::TransportHints().tcpNoDelay();
     subscriber_ = node_->handle().subscribe(options);
@@ -85,7 +89,8 @@ class TopicReader::Impl : public std::enable_shared_from_this<TopicReader::Impl>
     const auto arrival = std::chrono::steady_clock::now();
     const ros::M_string& header = event.getConnectionHeader();
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (const std::string from = event.getPublisherName(); from != publisher_) publisher_ = from, ++connections_;
+    if (const std::string from = event.getPublisherName(); from != publisher_)
+      publisher_ = from, ++connections_;
     messages_.push_back({arrival, entryOf(header, "type"), entryOf(header, "message_definition"),
                          event.getConstMessage()->bytes});
     if (messages_.size() > capacity_) messages_.pop_front(), ++lost_;

@@ -9,11 +9,11 @@
 
 #include "core/ros1/message_data.h"
 
-/// Topics of a running ROS 1 system. This process becomes one node of it with the first object of this header;
-/// the node listens for its peers, on loopback only if ROS_HOSTNAME is localhost or ROS_IP is 127.0.0.1. A
-/// master that was restarted does not know the node: within kRegister, all its topics are registered again.
-/// Functions throw base::InputError for a name that is no topic, where no master can be named (ROS_MASTER_URI),
-/// and where this program was built without ROS.
+/// Topics of a running ROS 1 system. This process becomes one node of it with the first object of this
+/// header; the node listens for its peers, on loopback only if ROS_HOSTNAME is localhost or ROS_IP is
+/// 127.0.0.1. A master that was restarted does not know the node: within kRegister, all its topics are
+/// registered again. Functions throw base::InputError for a name that is no topic, where no master can be
+/// named (ROS_MASTER_URI), and where this program was built without ROS.
 ///
 /// This header and ros_topics.cpp are C++17: see message_data.h.
 namespace capstan::ros1 {

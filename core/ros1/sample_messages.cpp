@@ -41,8 +41,8 @@ std::vector<OutMessage> SampleMessages::of(const tracking::Sample& sample, std::
     out.push_back(outOf(info_.own_kinematics ? topics_.joints : topics_.encoders,
                         messageOf(*joint, {stamp, "joints"})));
   } else if (const auto* tip = std::get_if<tracking::TipSample>(&sample)) {
-    out.push_back(outOf(topics_.tip, PointStamped{{stamp, "base"},
-                                                  {tip->position[0], tip->position[1], tip->position[2]}}));
+    out.push_back(outOf(
+        topics_.tip, PointStamped{{stamp, "base"}, {tip->position[0], tip->position[1], tip->position[2]}}));
   } else {
     const auto& frame = std::get<tracking::StereoFrame>(sample);
     addImage(frame.left, 0, stamp, out);

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "core/ros1/message_data.h"
 #include "core/ros1/bag_topics.h"
+#include "core/ros1/message_data.h"
 #include "core/tracking/source.h"
 
 namespace capstan::ros1 {
@@ -32,7 +32,8 @@ class SampleMessages {
   OutMessage session(int epoch) const;
 
  private:
-  void addImage(const cv::Mat& image, std::size_t side, std::int64_t stamp, std::vector<OutMessage>& out) const;
+  void addImage(const cv::Mat& image, std::size_t side, std::int64_t stamp,
+                std::vector<OutMessage>& out) const;
 
   const tracking::SourceInfo info_;
   const BagTopics topics_ = ourTopics();

@@ -1,32 +1,23 @@
 // Compiled instead of the other sources where configure found no ROS 1.
 #include "core/ros1/bag_export.h"
-#include "core/ros1/bag_source.h"
 #include "core/ros1/message_codec.h"
 #include "core/ros1/no_ros.h"
 #include "core/ros1/ros_topics.h"
 
 namespace capstan::ros1 {
 
-std::unique_ptr<tracking::Source> openBag(const std::filesystem::path& path, const robot::Description&,
-                                          const BagTopics&) {
-  throw withoutRos(path.string());
-}
 BagReport exportBag(tracking::Source&, const std::filesystem::path& path, int, base::Progress*) {
   throw withoutRos(path.string());
 }
 
-#define CAPSTAN_NO_ROS_MESSAGE(M)    \
-  template <>                        \
-  const MessageType& typeOf<M>() {   \
-    throw withoutRos("a topic");     \
-  }                                  \
-  template <>                        \
-  Bytes encode<M>(const M&) {        \
-    throw withoutRos("a topic");     \
-  }                                  \
-  template <>                        \
-  M decode<M>(const Bytes&) {        \
-    throw withoutRos("a topic");     \
+#define CAPSTAN_NO_ROS_MESSAGE(M)  \
+  template <>                      \
+  const MessageType& typeOf<M>() { \
+    throw withoutRos("a topic");   \
+  }                                \
+  template <>                      \
+  Bytes encode<M>(const M&) {      \
+    throw withoutRos("a topic");   \
   }
 
 CAPSTAN_NO_ROS_MESSAGE(JointState)

@@ -42,9 +42,7 @@ std::pair<std::string, std::uint16_t> parseHostAndPort(const Given& given, std::
 
 }  // namespace
 
-bool isAddress(const std::string& text) {
-  return text == "-" || text.starts_with(kTcp) || isRosTopic(text);
-}
+bool isAddress(const std::string& text) { return text == "-" || text.starts_with(kTcp) || isRosTopic(text); }
 
 bool isRosTopic(const std::string& text) { return text.starts_with(kRos); }
 

@@ -14,9 +14,8 @@ struct Address {
   std::uint16_t port = 0;          ///< kTcp; 0: a free one
 };
 
-/// Parses "-" (standard input), "tcp://127.0.0.1:5555" (IPv4 address or localhost), "ros:/topic" or the path of
-/// a FIFO.
-/// Throws base::InputError that names `option` and the text.
+/// Parses "-" (standard input), "tcp://127.0.0.1:5555" (IPv4 address or localhost), "ros:/topic" or the path
+/// of a FIFO. Throws base::InputError that names `option` and the text.
 Address parseAddress(const std::string& text, const std::string& option);
 
 /// Address to serve images at.
