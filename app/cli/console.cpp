@@ -82,4 +82,10 @@ std::string isoNow() {
   return text;
 }
 
+int secondsOfIso(const std::string& text) {
+  std::tm time{};
+  const char* end = ::strptime(text.c_str(), "%Y-%m-%dT%H:%M:%S", &time);
+  return end == nullptr ? 0 : static_cast<int>(::timegm(&time));
+}
+
 }  // namespace capstan::cli

@@ -52,5 +52,7 @@ nlohmann::json toJson(const Eigen::Vector3d& vector);
 
 /// Present local time as ISO 8601, to the second.
 std::string isoNow();
+/// Seconds since 1970 of such a text; 0 for another text.
+int secondsOfIso(const std::string& text);
 
 }  // namespace capstan::cli

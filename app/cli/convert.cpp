@@ -15,13 +15,14 @@
 #include "core/recording/export_table.h"
 #include "core/recording/recording_kinds.h"
 #include "core/recording/session_file.h"
+#include "core/ros1/bag_export.h"
 #include "core/table_files/table_kind.h"
 
 namespace capstan::cli {
 namespace {
 
 struct ConvertArguments {
-  std::string in, out, format = "auto", to = "auto", read_as, robot, json, matlab = "5";
+  std::string in, out, format = "auto", to = "auto", read_as, topics, robot, json, matlab = "5";
   bool force = false;
 };
 
@@ -30,10 +31,11 @@ std::string targetOf(const ConvertArguments& arguments) {
   const std::string suffix = std::filesystem::path(arguments.out).extension().string();
   if (table_files::kindBySuffix(arguments.out)) return "table";
   if (suffix == recording::kSessionSuffix) return "session";
+  if (suffix == ".bag") return "bag";
   if (suffix == ".avi" || suffix == ".mkv" || suffix == ".mp4") return "video";
   refuseOption("OUT", arguments.out, "has a suffix that names no format",
                "End it in " + table_files::tableSuffixes() +
-                   ", .capstan, .avi, .mkv or .mp4, or give --to csv-folder or png");
+                   ", .capstan, .bag, .avi, .mkv or .mp4, or give --to csv-folder or png");
 }
 
 void needSession(RecordingFormat format, const std::string& target) {
@@ -82,18 +84,34 @@ std::string writeVideo(const ConvertArguments& arguments, base::Progress& progre
   return fmt::format("{} frames", video.frames);
 }
 
+std::unique_ptr<tracking::Source> open(const ConvertArguments& arguments, RecordingFormat format) {
+  return openSource(arguments.in, format, arguments.robot, readAsOf(arguments.read_as), Notices::kSaid,
+                    arguments.topics);
+}
+
+std::string writeBag(const ConvertArguments& arguments, RecordingFormat format, base::Progress& progress) {
+  const std::string created = format == RecordingFormat::kSession
+                                  ? recording::readSessionSummary(arguments.in).header.created
+                                  : std::string();
+  const ros1::BagReport bag =
+      ros1::exportBag(*open(arguments, format), arguments.out, secondsOfIso(created), &progress);
+  return fmt::format("{} motor samples, {} joint samples, {} tips, {} images", bag.motors, bag.joints,
+                     bag.tips, bag.images);
+}
+
 /// Writes OUT and returns the amount written as text, which is meaningless once `progress` is cancelled.
 std::string convertTo(const std::string& target, const ConvertArguments& arguments, RecordingFormat format,
                       base::Progress& progress) {
   if (target == "table") return writeTable(arguments, format, progress);
   if (target == "session") {
-    const auto source = openSource(arguments.in, format, arguments.robot, readAsOf(arguments.read_as));
+    const auto source = open(arguments, format);
     recording::importRecording(
         *source, arguments.out, recording::headerOf(source->info(), isoNow()), &progress,
         arguments.force ? recording::Existing::kReplace : recording::Existing::kRefuse);
     if (progress.cancelled()) return {};
     return fmt::format("{} motor samples", recording::readSessionSummary(arguments.out).motor);
   }
+  if (target == "bag") return writeBag(arguments, format, progress);
   needSession(format, target);
   if (target == "csv-folder")
     return fmt::format("{} files", recording::exportCsv(arguments.in, arguments.out, &progress).size());
@@ -145,20 +163,21 @@ ExitCode convert(const ConvertArguments& arguments) {
 
 void addConvert(CLI::App& app, ExitCode& exit) {
   auto arguments = std::make_shared<ConvertArguments>();
-  CLI::App* command =
-      app.add_subcommand("convert", "Convert sessions to tables, images or videos, and tables to sessions");
+  CLI::App* command = app.add_subcommand(
+      "convert", "Convert sessions to tables, ROS bags, images or videos, and these to sessions");
   command->add_option("IN", arguments->in, recording::recordingKinds())->required();
   command->add_option("OUT", arguments->out, "file or folder to write")->required();
   command
       ->add_option("--to", arguments->to,
                    "format of OUT: auto (by its suffix: " + table_files::tableSuffixes() +
-                       " is a table), table, session,\ncsv-folder, png, video")
+                       " is a table), table, session, bag,\ncsv-folder, png, video")
       ->capture_default_str()
-      ->check(CLI::IsMember({"auto", "table", "session", "csv-folder", "png", "video"}));
+      ->check(CLI::IsMember({"auto", "table", "session", "bag", "csv-folder", "png", "video"}));
   command->add_option("--format", arguments->format, "format of IN: auto, session, table, raven")
       ->capture_default_str()
       ->check(CLI::IsMember({"auto", "session", "table", "raven"}));
   addReadAs(*command, arguments->read_as);
+  addTopics(*command, arguments->topics);
   command->add_option("--robot", arguments->robot, "robot file, for recordings that contain none");
   command->add_option("--matlab", arguments->matlab, "version of a MATLAB file as OUT: 5 or 7.3")
       ->capture_default_str()
@@ -175,6 +194,8 @@ void addConvert(CLI::App& app, ExitCode& exit) {
       "  capstan-cli convert trial.capstan tables/ --to csv-folder\n"
       "  capstan-cli convert trial.capstan frames/ --to png\n"
       "  capstan-cli convert trial.capstan trial.mkv              (both views side by side)\n"
+      "  capstan-cli convert trial.capstan trial.bag              (for rosbag play)\n"
+      "  capstan-cli convert trial.bag trial.capstan\n"
       "  capstan-cli convert joints123.csv table.csv              (RAVEN-II motor log to SI)\n"
       "  capstan-cli convert degrees.csv si.csv --read-as q_m=deg,q1=deg,q2=deg\n"
       "  capstan-cli convert recording.csv recording.capstan");

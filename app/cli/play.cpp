@@ -9,6 +9,7 @@
 #include "app/cli/outputs.h"
 #include "app/cli/recordings.h"
 #include "core/live/player.h"
+#include "core/live/ros_player.h"
 #include "core/recording/export.h"
 #include "core/recording/recording_kinds.h"
 #include "core/recording/session_file.h"
@@ -39,6 +40,8 @@ live::PlayOptions optionsOf(const std::vector<std::string>& faults, unsigned see
   return options;
 }
 
+constexpr const char* kRos = "ros";
+
 std::optional<RowPlay> rowPlayOf(const PlayArguments& arguments) {
   if (arguments.to.empty()) {
     if (!arguments.faults.empty())
@@ -46,14 +49,19 @@ std::optional<RowPlay> rowPlayOf(const PlayArguments& arguments) {
     return {};
   }
   const live::Address to = live::parseAddress(arguments.to, "--to");
+  if (arguments.to == kRos)
+    return RowPlay{{}, optionsOf(arguments.faults, arguments.seed, "--fault", live::parseRowFault)};
   if (to.kind != live::Address::Kind::kTcp || to.port == 0)
-    refuseOption("--to", arguments.to, "is no TCP address", "Give one as in tcp://127.0.0.1:5555");
+    refuseOption("--to", arguments.to, "is no TCP address", "Give one as in tcp://127.0.0.1:5555, or ros");
   return RowPlay{to, optionsOf(arguments.faults, arguments.seed, "--fault", live::parseRowFault)};
 }
 
 std::optional<ImagePlay> imagePlayOf(const PlayArguments& arguments) {
+  if (arguments.to == kRos && !arguments.video.empty())
+    refuseOption("--video", arguments.video, "is given, yet --to ros publishes the images, too",
+                 "Leave it out");
   if (arguments.video.empty()) {
-    if (!arguments.video_faults.empty())
+    if (!arguments.video_faults.empty() && arguments.to != kRos)
       refuseOption("--video-fault", arguments.video_faults.front(), "needs --video", "Give --video");
     return {};
   }
@@ -108,6 +116,37 @@ Played playBoth(const PlayArguments& arguments, const std::optional<RowPlay>& ro
   return played;
 }
 
+/// Publishes rows and images on ROS topics, each from a source of its own.
+Played playRos(const PlayArguments& arguments, RecordingFormat format, const RowPlay& rows,
+               base::Progress& progress) {
+  constexpr std::chrono::seconds kPatience{30};
+  const auto open = [&](Notices notices) {
+    return openSource(arguments.file, format, arguments.robot, readAsOf(arguments.read_as), notices);
+  };
+  const auto motors = open(Notices::kSaid), cameras = open(Notices::kQuiet);
+  live::RosPlayer player(motors->info());
+  const bool images = motors->info().rig.has_value();
+  notice(fmt::format("waiting for subscribers of {}", player.words()));
+  if (!player.waitForSubscribers(images, kPatience, &progress)) {
+    if (progress.cancelled()) return {};
+    refuseOption("--to", kRos,
+                 fmt::format("has no subscriber of {} after {} s", player.words(), kPatience.count()),
+                 "Start the receiver first, for example: capstan-cli track --live resources/live/ros.yaml");
+  }
+  const live::PlayClock clock{.begin = motors->info().begin, .speed = arguments.speed};
+  std::future<live::ImagePlayReport> shown;
+  if (images)
+    shown = std::async(std::launch::async, [&] {
+      return player.playImages(
+          *cameras, clock,
+          optionsOf(arguments.video_faults, arguments.seed, "--video-fault", live::parseImageFault),
+          &progress);
+    });
+  Played played{player.playRows(*motors, clock, rows.options, &progress), {}};
+  if (shown.valid()) played.images = shown.get();
+  return played;
+}
+
 void say(const PlayArguments& arguments, const Output& output, std::size_t rows, const Played& played) {
   nlohmann::json json;
   if (const auto& report = played.rows) {
@@ -139,14 +178,18 @@ ExitCode play(const PlayArguments& arguments) {
   if (images) checkImages(arguments.file, format);
   checkOutputs({{"--json", arguments.json}}, {arguments.file, arguments.robot});
   const Output output(arguments.json);
-  const recording::MeasuredTable table = rowsOf(arguments, format);
   base::Progress progress;
   Played played;
-  {
-    const ProgressLine line(progress);
+  std::size_t count = 0;
+  if (const ProgressLine line(progress); arguments.to == kRos) {
+    played = playRos(arguments, format, *rows, progress);
+    if (played.rows) count = played.rows->sent + played.rows->withheld;
+  } else {
+    const recording::MeasuredTable table = rowsOf(arguments, format);
+    count = table.rows();
     played = playBoth(arguments, rows, images, table, progress);
   }
-  say(arguments, output, table.rows(), played);
+  say(arguments, output, count, played);
   return (played.rows && played.rows->refused) || progress.cancelled() ? kFailed : kOk;
 }
 
@@ -158,7 +201,8 @@ void addPlay(CLI::App& app, ExitCode& exit) {
       app.add_subcommand("play", "Send a recording in real time, as a robot would, with faults on request");
   command->add_option("FILE", arguments->file, recording::recordingKinds())->required();
   command->add_option("--to", arguments->to,
-                      "receiver of the rows, as in tcp://127.0.0.1:5555; it must listen already");
+                      "receiver of the rows, as in tcp://127.0.0.1:5555; it must listen already;\n"
+                      "ros: topics of a ROS 1 system, with the images");
   command->add_option("--video", arguments->video,
                       "serve the images of a session (Motion JPEG), as in http://127.0.0.1:8081");
   command
@@ -188,7 +232,8 @@ void addPlay(CLI::App& app, ExitCode& exit) {
       "  capstan --live tcp://127.0.0.1:5555                       (in one terminal)\n"
       "  capstan-cli play trial.capstan --to tcp://127.0.0.1:5555  (in another one)\n"
       "  capstan-cli play trial.csv --to tcp://127.0.0.1:5555 --fault jitter:0.02 --fault silence:2@10\n"
-      "  capstan-cli play trial.capstan --to tcp://127.0.0.1:5555 --video http://127.0.0.1:8081");
+      "  capstan-cli play trial.capstan --to tcp://127.0.0.1:5555 --video http://127.0.0.1:8081\n"
+      "  capstan-cli play trial.capstan --to ros");
   command->callback([arguments, &exit] { exit = play(*arguments); });
 }
 

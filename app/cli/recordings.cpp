@@ -10,7 +10,9 @@
 #include "core/recording/session_file.h"
 #include "core/recording/session_source.h"
 #include "core/recording/settle_units.h"
+#include "core/recording/source_table.h"
 #include "core/recording/table_source.h"
+#include "core/ros1/bag_source.h"
 #include "core/table_files/csv.h"
 
 namespace capstan::cli {
@@ -31,6 +33,7 @@ RecordingFormat detectFormat(const std::string& file) {
   char magic[16] = {};
   in.read(magic, sizeof magic);
   if (std::string(magic, 15) == "SQLite format 3") return RecordingFormat::kSession;
+  if (ros1::isBag(magic)) return RecordingFormat::kBag;
   in.clear();
   in.seekg(0);
   std::string first(1024, '\0');
@@ -48,6 +51,24 @@ RecordingFormat formatOf(const std::string& name, const std::string& file) {
   return found;
 }
 
+void addTopics(CLI::App& command, std::string& topics) {
+  command
+      .add_option(
+          kTopics, topics,
+          "topics of a ROS bag as NAME=TOPIC, where they are not found by themselves. NAME: motors,\n"
+          "joints, encoders, left, right, left_info, right_info, tip; e.g. motors=/arm/motors,left=none")
+      ->allow_extra_args(false);
+}
+
+namespace {
+
+void refuseTopics(const std::string& file, RecordingFormat format, const std::string& topics) {
+  if (format != RecordingFormat::kBag && !topics.empty())
+    refuseOption(kTopics, topics, file + " is no ROS bag", "Leave --topics out");
+}
+
+}  // namespace
+
 void addReadAs(CLI::App& command, std::string& read_as) {
   command
       .add_option(kReadAs, read_as,
@@ -64,8 +85,12 @@ void refuseReadAs(const std::string& file, RecordingFormat format, const recordi
 }
 
 recording::MeasuredTable readTable(const std::string& file, RecordingFormat format,
-                                   const robot::Description& robot, const recording::ReadAs& read_as) {
+                                   const robot::Description& robot, const recording::ReadAs& read_as,
+                                   const std::string& topics) {
   refuseReadAs(file, format, read_as);
+  refuseTopics(file, format, topics);
+  if (format == RecordingFormat::kBag)
+    return recording::tableOf(*ros1::openBag(file, robot, ros1::parseBagTopics(topics, kTopics)), file);
   if (format == RecordingFormat::kRavenMotors) return recording::readRavenMotors(file, robot);
   recording::MeasuredTable table = recording::readMeasuredTable(file);
   recording::settleUnits(table, robot, read_as);
@@ -74,8 +99,9 @@ recording::MeasuredTable readTable(const std::string& file, RecordingFormat form
 
 std::unique_ptr<tracking::Source> openSource(const std::string& file, RecordingFormat format,
                                              const std::string& robot_file, const recording::ReadAs& read_as,
-                                             Notices notices) {
+                                             Notices notices, const std::string& topics) {
   refuseReadAs(file, format, read_as);
+  refuseTopics(file, format, topics);
   if (format == RecordingFormat::kRobot)
     refuseFile(file, "is a YAML file, not a recording",
                "Give a robot file as --robot, a truth file as --truth, filter options as --options");
@@ -86,6 +112,8 @@ std::unique_ptr<tracking::Source> openSource(const std::string& file, RecordingF
     return std::make_unique<recording::SessionSource>(file);
   }
   const robot::Description robot = robot::readDescriptionOrDefault(robot_file);
+  if (format == RecordingFormat::kBag)
+    return ros1::openBag(file, robot, ros1::parseBagTopics(topics, kTopics));
   auto source = std::make_unique<recording::TableSource>(readTable(file, format, robot, read_as), robot);
   if (notices == Notices::kSaid)
     for (const std::string& line : source->info().notices) notice(line);

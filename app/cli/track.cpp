@@ -28,7 +28,7 @@ namespace {
 
 struct TrackArguments {
   std::string file, live, out_format = "auto", format = "auto", robot, estimator_robot, options,
-                          registration = "stored", mounting, out, save_registration, read_as, json;
+                          registration = "stored", mounting, out, save_registration, read_as, topics, json;
   bool simulate = false, whole_frame = false;
   double occlude = 0.0;
   std::vector<std::string> fail_motor;
@@ -133,7 +133,7 @@ ExitCode track(TrackArguments& arguments, const CLI::App& command) {
     if (!arguments.live.empty())
       return openLive(arguments.live, arguments.robot, arguments.read_as,
                       command.count("--duration") > 0 ? arguments.simulation.duration : 0.0);
-    return openSource(arguments.file, format, arguments.robot, read_as);
+    return openSource(arguments.file, format, arguments.robot, read_as, Notices::kSaid, arguments.topics);
   };
 
   const auto source = open();
@@ -228,6 +228,7 @@ void addTrack(CLI::App& app, ExitCode& exit) {
       ->check(CLI::IsMember({"auto", "session", "table", "raven"}));
   addLive(*command, arguments->live);
   addReadAs(*command, arguments->read_as);
+  addTopics(*command, arguments->topics);
   command->add_option("--robot", arguments->robot,
                       "nominal robot file; with --simulate, the simulated robot is built from it too; a "
                       "session contains its\n"
@@ -287,6 +288,7 @@ void addTrack(CLI::App& app, ExitCode& exit) {
       "  capstan-cli track recording.csv --robot my_robot.yaml --json -\n"
       "  capstan-cli track degrees.csv --read-as q_m=deg,q1=deg,q2=deg,p_c=mm\n"
       "  capstan-cli track trial.capstan --estimator-robot identified.yaml\n"
+      "  capstan-cli track trial.bag --topics motors=/PSM1/actuators/measured_js\n"
       "  capstan-cli track --live tcp://127.0.0.1:5555 --duration 60\n"
       "  capstan-cli track --live tcp://127.0.0.1:5555 --out tcp://127.0.0.1:5556 --out-format jsonl\n"
       "  robot_program | capstan-cli track --live - --robot my_robot.yaml --out estimates.csv\n"

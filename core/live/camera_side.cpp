@@ -1,11 +1,18 @@
 #include "core/live/camera_side.h"
 
+#include <utility>
+
 #include "core/base/error.h"
+#include "core/live/streams/address.h"
+#include "core/ros1/received_image.h"
+#include "core/ros1/ros_topics.h"
+#include "core/ros1/stamp.h"
 
 namespace capstan::live {
 namespace {
 
 using State = tracking::SideStatus::State;
+constexpr std::size_t kWaiting = 4;  // images of a topic that may wait
 
 /// Left and right half, or upper and lower half, of one image, copied.
 std::array<cv::Mat, 2> eyesOf(const cv::Mat& both, CameraLayout layout) {
@@ -37,8 +44,8 @@ CameraSide::CameraSide(const CamerasSetup& setup,
   status_.counted = "image";
   for (const std::string& address : addresses_) {
     status_.from += (status_.from.empty() ? "" : ", ") + address;
-    first_.push_back(isNetworkStream(address) ? nullptr
-                                              : std::make_unique<VideoStream>(address, settingsOf(setup)));
+    const bool later = isNetworkStream(address) || isRosTopic(address);
+    first_.push_back(later ? nullptr : std::make_unique<VideoStream>(address, settingsOf(setup)));
   }
   for (int stream = 0; stream < static_cast<int>(addresses_.size()); ++stream)
     threads_.emplace_back([this, stream] { work(stream); });
@@ -60,12 +67,12 @@ tracking::SideStatus CameraSide::status() const {
 }
 
 void CameraSide::work(int stream) {
+  const std::string& address = addresses_[static_cast<std::size_t>(stream)];
+  if (isRosTopic(address)) return workOnTopic(stream, rosTopicOf(address));
   std::unique_ptr<VideoStream> video = std::move(first_[static_cast<std::size_t>(stream)]);
   while (!quit_) {
     try {
-      if (!video)
-        video =
-            std::make_unique<VideoStream>(addresses_[static_cast<std::size_t>(stream)], settingsOf(setup_));
+      if (!video) video = std::make_unique<VideoStream>(address, settingsOf(setup_));
       readStream(stream, *video);
     } catch (const std::exception& error) {
       const std::lock_guard lock(mutex_);
@@ -90,19 +97,54 @@ void CameraSide::readStream(int stream, VideoStream& video) {
   }
   cv::Mat image;
   while (!quit_ && video.read(image)) {
-    take(stream, image, Clock::now());
+    const Clock::time_point now = Clock::now();
+    take(stream, image, now, now);
     image.release();  // the next one must not overwrite it
   }
 }
 
-void CameraSide::take(int stream, const cv::Mat& image, Clock::time_point arrival) {
-  const std::optional<double> now = session_time_(arrival);
+/// Until the end: a topic outlives its publishers.
+void CameraSide::workOnTopic(int stream, const std::string& topic) {
+  constexpr std::chrono::milliseconds kWait{50};
+  ros1::TopicReader reader(topic, kWaiting);
+  std::uint64_t connections = 0;
+  while (!quit_) {
+    const auto message = reader.next(kWait);
+    if (!message) continue;
+    try {
+      const ros1::StampedImage image = ros1::imageOf(*message);
+      {
+        const std::lock_guard lock(mutex_);
+        status_.connections += reader.connections() - std::exchange(connections, reader.connections());
+        status_.fault.clear();
+      }
+      take(stream, image.image, earliest(image.stamp, message->arrival), message->arrival);
+    } catch (const base::InputError& error) {
+      const std::lock_guard lock(mutex_);
+      status_.fault = "ros:" + topic + ": " + error.what();
+    }
+  }
+}
+
+/// Time at which the image would have arrived with the smallest delay; its arrival if it has no stamp.
+CameraSide::Clock::time_point CameraSide::earliest(std::int64_t stamp, Clock::time_point arrival) {
+  if (stamp == 0) return arrival;
+  const std::lock_guard lock(mutex_);
+  if (origin_ == 0) origin_ = stamp;
+  const double device = ros1::secondsOf(stamp - origin_);
+  clock_.add(device, std::chrono::duration<double>(arrival - start_).count());
+  const auto mapped = std::chrono::duration<double>(clock_.toSession(device));
+  return start_ + std::chrono::duration_cast<Clock::duration>(mapped);
+}
+
+void CameraSide::take(int stream, const cv::Mat& image, Clock::time_point seen, Clock::time_point arrival) {
+  const std::optional<double> now = session_time_(arrival), at = session_time_(seen);
   const std::lock_guard lock(mutex_);
   last_ = arrival;
   status_.state = State::kReceiving;
   ++status_.received;
-  if (!now) return;
-  const double t = *now - setup_.latency;
+  if (!now || !at) return;
+  const double t = *at - setup_.latency;
   if (setup_.layout == CameraLayout::kTwo) {
     if (auto pair = pairer_.add(stream, t, image)) pass(std::move(*pair), *now);
     return;

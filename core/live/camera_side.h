@@ -12,12 +12,14 @@
 #include "core/live/cameras/video_stream.h"
 #include "core/live/live_setup.h"
 #include "core/live/sample_queue.h"
+#include "core/live/streams/clock_map.h"
 #include "core/tracking/source.h"
 
 namespace capstan::live {
 
-/// Reads the images of one or two streams on threads of their own, pairs them, and puts the pairs into a
-/// queue. A stream that ends or falls silent is opened again.
+/// Reads the images of one or two streams, or ROS topics, on threads of their own, pairs them, and puts the
+/// pairs into a queue. A stream that ends or falls silent is opened again. Images of ROS topics have the
+/// times of their stamps, whose clock is mapped to that of this computer (ClockMap).
 class CameraSide {
  public:
   using Clock = std::chrono::steady_clock;
@@ -32,8 +34,11 @@ class CameraSide {
 
  private:
   void work(int stream);
+  void workOnTopic(int stream, const std::string& topic);
   void readStream(int stream, VideoStream& video);
-  void take(int stream, const cv::Mat& image, Clock::time_point arrival);
+  /// `seen`: when the image could have arrived at the earliest.
+  void take(int stream, const cv::Mat& image, Clock::time_point seen, Clock::time_point arrival);
+  Clock::time_point earliest(std::int64_t stamp, Clock::time_point arrival);
   void pass(FramePair pair, double arrival);
   void waitToReopen() const;
 
@@ -48,6 +53,9 @@ class CameraSide {
   FramePairer pairer_;
   tracking::SideStatus status_;
   Clock::time_point last_{};
+  ClockMap clock_;           ///< from stamps to this computer's clock
+  std::int64_t origin_ = 0;  ///< first stamp [ns]; 0: none yet
+  const Clock::time_point start_ = Clock::now();
 
   std::vector<std::thread> threads_;
 };

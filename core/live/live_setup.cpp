@@ -17,6 +17,17 @@ namespace {
   throw base::InputError({file, 0, field, value, reason, remedy});
 }
 
+void checkRos(const LiveSetup& setup, const std::string& file) {
+  if (!setup.motors.names.empty() && setup.motors.names.size() != 3)
+    refuse(file, "motors.names", std::to_string(setup.motors.names.size()) + " names", "are not three",
+           "Give the names of the three motors of the arm, or none");
+  const CamerasSetup* cameras = setup.cameras ? &*setup.cameras : nullptr;
+  if (cameras && cameras->calibration == kRosCalibration &&
+      !(isRosTopic(cameras->left) && isRosTopic(cameras->right)))
+    refuse(file, "cameras.calibration", cameras->calibration, "needs images from two ROS topics",
+           "Give the folder or the file of a calibration");
+}
+
 void check(const LiveSetup& setup, const std::string& file) {
   std::array<int, 3> sorted = setup.motors.motors;
   std::ranges::sort(sorted);
@@ -29,6 +40,7 @@ void check(const LiveSetup& setup, const std::string& file) {
     if (std::abs(sign) != 1.0)
       refuse(file, "motors.signs", base::yamlText(sign), "is no sign", "Give 1 or -1");
   parseAddress(setup.motors.from, "motors.from");
+  checkRos(setup, file);
   if (setup.cameras && (setup.cameras->layout == CameraLayout::kTwo) == setup.cameras->right.empty())
     refuse(file, "cameras.right", setup.cameras->right, "does not fit the layout",
            "Give two streams for the layout two, one (as left) for side_by_side and top_bottom");
@@ -46,7 +58,9 @@ LiveSetup readLiveSetup(const std::filesystem::path& path) {
     if (!file.empty()) file = (path.parent_path() / file).string();
   };
   beside(setup.robot);
-  if (setup.cameras) beside(setup.cameras->calibration), beside(setup.cameras->registration);
+  if (!setup.cameras) return setup;
+  if (setup.cameras->calibration != kRosCalibration) beside(setup.cameras->calibration);
+  beside(setup.cameras->registration);
   return setup;
 }
 
@@ -57,7 +71,8 @@ void writeLiveSetup(const LiveSetup& setup, const std::filesystem::path& path) {
 
 LiveSetup liveSetupOf(const std::string& text, const std::string& robot, const std::string& read_as) {
   if (isAddress(text) || isFifo(text)) {
-    LiveSetup setup{.title = text == "-" ? "standard input" : text, .robot = robot, .motors = {}, .cameras = {}};
+    LiveSetup setup{
+        .title = text == "-" ? "standard input" : text, .robot = robot, .motors = {}, .cameras = {}};
     setup.motors.from = text, setup.motors.read_as = read_as;
     check(setup, {});
     return setup;

@@ -4,28 +4,37 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/base/field.h"
 #include "core/base/names.h"
 
 namespace capstan::live {
 
-/// Motor side that sends rows of a measured table.
+/// Motor side: rows of a measured table as text, or messages of a ROS topic.
 struct RowsSetup {
   std::string from = "tcp://127.0.0.1:5555";
-  std::string read_as;
+  std::string read_as, encoders;
+  std::vector<std::string> names;
+  std::array<double, 3> zero = {0.0, 0.0, 0.0};
+  int arm = 1;
   std::array<int, 3> motors = {1, 2, 3};
   std::array<double, 3> signs = {1.0, 1.0, 1.0};
   bool reference = true;
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& field) {
-    field(self.from, {"from", "", "- (standard input), path of a FIFO, or tcp://ADDRESS:PORT to listen on"});
+    field(self.from,
+          {"from", "", "- (standard input), path of a FIFO, tcp://ADDRESS:PORT to listen on, or ros:/TOPIC"});
     field(self.read_as, {"read_as", "", "units that are not SI, as in q_m=deg,t=ms", {}, false});
     field(self.motors,
           {"motors", "", "motor of the rows (1, 2, 3) that drives joint 1, 2, 3", {1.0, 3.0}, false});
     field(self.signs, {"signs", "", "1, or -1 for a motor that counts the other way", {-1.0, 1.0}, false});
     field(self.reference, {"reference", "", "whether columns q are joint encoders", {}, false});
+    field(self.encoders, {"encoders", "", "ROS topic (JointState) of joint encoders; none: no", {}, false});
+    field(self.names, {"names", "", "ROS: three names in the JointState; none: its first three", {}, false});
+    field(self.zero, {"zero", "rad", "ROS: motor positions in the message at the hard stop", {}, false});
+    field(self.arm, {"arm", "", "ROS: arm of a raven_state, 1 or 2", {1.0, 2.0}, false});
   }
   bool operator==(const RowsSetup&) const = default;
 };
@@ -36,7 +45,10 @@ enum class CameraLayout {
   kTopBottom,   ///< left above right in each image of one stream
 };
 
-/// Camera side: V4L2 devices, network streams or video files.
+/// CamerasSetup::calibration of images whose topics come with camera_info.
+inline constexpr const char* kRosCalibration = "ros";
+
+/// Camera side: V4L2 devices, network streams, video files or ROS topics.
 struct CamerasSetup {
   std::string left, right;
   CameraLayout layout = CameraLayout::kTwo;
@@ -47,10 +59,13 @@ struct CamerasSetup {
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& field) {
-    field(self.left, {"left", "", "device (/dev/video0), network stream (rtsp://…) or video file"});
+    field(self.left,
+          {"left", "", "device (/dev/video0), network stream (rtsp://…), video file or ros:/TOPIC"});
     field(self.right, {"right", "", "the same for the right camera; none if one stream has both", {}, false});
     field(self.layout, {"layout", "", "two, side_by_side or top_bottom", {}, false});
-    field(self.calibration, {"calibration", "", "ROS folder, Kalibr or OpenCV file of the cameras"});
+    field(self.calibration,
+          {"calibration", "",
+           "ROS folder, Kalibr or OpenCV file of the cameras, or ros (camera_info beside the images)"});
     field(self.registration, {"registration", "", "registration file; none: register first", {}, false});
     field(self.latency, {"latency", "s", "from exposure to arrival", {0.0, 2.0}, false});
     field(self.pairing, {"pairing", "s", "largest time between two images of a pair", {0.0, 1.0}, false});

@@ -2,7 +2,10 @@
 
 #include <limits>
 
+#include "core/live/ros_rows.h"
 #include "core/live/streams/address.h"
+#include "core/live/text_rows.h"
+#include "core/ros1/receive_rig.h"
 #include "core/tracking/arrival.h"
 #include "core/vision/cover_image.h"
 #include "core/vision/registration_file.h"
@@ -11,7 +14,15 @@
 namespace capstan::live {
 namespace {
 
+constexpr std::chrono::seconds kWaitForCalibration{5};
 constexpr std::size_t kCapacity = 60000;  // samples: 20 s of 1 kHz with joint encoders and cameras
+
+std::unique_ptr<RowInput> textRows(const Address& address, const std::string& read_as,
+                                   const robot::Description& robot) {
+  std::unique_ptr<ByteStream> stream = openByteStream(address);
+  RowParser parser(stream->name(), robot, recording::parseReadAs(read_as, "motors.read_as"));
+  return std::make_unique<TextRows>(std::move(stream), std::move(parser));
+}
 
 }  // namespace
 
@@ -23,10 +34,12 @@ LiveSource::LiveSource(const LiveSetup& setup) : setup_(setup.motors), queue_(kC
   info_.robot = robot::readDescriptionOrDefault(setup.robot);
   info_.reference = setup.motors.reference;
   info_.real_time = true;
-  std::unique_ptr<ByteStream> stream = openByteStream(address);
-  RowParser parser(stream->name(), info_.robot,
-                   recording::parseReadAs(setup.motors.read_as, "motors.read_as"));
-  rows_ = std::make_unique<RowSide>(std::move(stream), std::move(parser), info_.robot,
+  std::unique_ptr<RowInput> input;
+  if (address.kind == Address::Kind::kRos)
+    input = std::make_unique<RosRows>(setup.motors, info_.robot);
+  else
+    input = textRows(address, setup.motors.read_as, info_.robot);
+  rows_ = std::make_unique<RowSide>(std::move(input), info_.robot,
                                     piped ? RowSide::Faults::kEnd : RowSide::Faults::kDisconnect, queue_);
   if (setup.cameras)
     cameras_ = std::make_unique<CameraSide>(
@@ -39,7 +52,9 @@ LiveSource::LiveSource(const LiveSetup& setup) : setup_(setup.motors), queue_(kC
 }
 
 void LiveSource::readCameras(const CamerasSetup& setup) {
-  info_.rig = vision::readRig(setup.calibration);
+  info_.rig = setup.calibration == kRosCalibration
+                  ? ros1::receiveRig(rosTopicOf(setup.left), rosTopicOf(setup.right), kWaitForCalibration)
+                  : vision::readRig(setup.calibration);
   if (!setup.registration.empty()) info_.base_from_camera = vision::readRegistration(setup.registration);
 }
 

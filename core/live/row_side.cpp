@@ -7,15 +7,10 @@ namespace capstan::live {
 
 using State = tracking::SideStatus::State;
 
-RowSide::RowSide(std::unique_ptr<ByteStream> stream, RowParser parser, robot::Description robot,
-                 Faults faults, SampleQueue& queue)
-    : stream_(std::move(stream)),
-      parser_(std::move(parser)),
-      robot_(std::move(robot)),
-      faults_(faults),
-      queue_(queue) {
+RowSide::RowSide(std::unique_ptr<RowInput> input, robot::Description robot, Faults faults, SampleQueue& queue)
+    : input_(std::move(input)), robot_(std::move(robot)), faults_(faults), queue_(queue) {
   status_.name = "motors";
-  status_.from = stream_->name();
+  status_.from = input_->name();
   thread_ = std::thread([this] { work(); });
 }
 
@@ -48,9 +43,8 @@ std::optional<double> RowSide::sessionTime(Clock::time_point at) const {
 }
 
 void RowSide::work() {
-  std::string bytes;
   try {
-    while (!quit_ && !ended_) readOnce(bytes);
+    while (!quit_ && !ended_) readOnce();
   } catch (...) {
     const std::lock_guard lock(mutex_);
     fault_ = std::current_exception();
@@ -64,22 +58,18 @@ void RowSide::work() {
   queue_.close();
 }
 
-void RowSide::readOnce(std::string& bytes) {
+void RowSide::readOnce() {
   constexpr std::chrono::milliseconds kWait{50};
-  bytes.clear();
-  const ReadState state = stream_->read(bytes, kWait);
+  const ReadState state = input_->read(kWait);
   try {
     if (state == ReadState::kOpened) {
-      parser_.restart();
       const std::lock_guard lock(mutex_);
       ++status_.connections;
       status_.state = State::kWaiting;
     }
-    parser_.add(bytes);
     ended_ = state == ReadState::kEnded;
-    take(ended_ || state == ReadState::kClosed);
+    if (auto rows = input_->take()) pass(std::move(*rows));
     if (state != ReadState::kClosed) return;
-    parser_.restart();
     const std::lock_guard lock(mutex_);
     status_.state = State::kWaiting;
   } catch (const base::InputError& error) {
@@ -88,15 +78,11 @@ void RowSide::readOnce(std::string& bytes) {
   }
 }
 
-void RowSide::take(bool ended) {
-  if (auto table = parser_.take(ended)) pass(std::move(*table));
-}
-
 void RowSide::pass(recording::MeasuredTable table) {
   recording::checkForTracking(table, robot_);
   const double arrival = now();
   if (faults_ == Faults::kEnd) {
-    parser_.checkOrder(table);
+    input_->checkOrder(table);
   } else {
     std::vector<bool> keep;
     for (double& t : table.t) {
@@ -133,8 +119,7 @@ void RowSide::pass(recording::MeasuredTable table) {
 }
 
 void RowSide::refuse(const std::string& reason) {
-  stream_->refuse(reason);
-  parser_.restart();
+  input_->refuse(reason);
   const std::lock_guard lock(mutex_);
   status_.state = State::kRefused;
   status_.fault = reason;

@@ -10,10 +10,9 @@
 #include <thread>
 #include <vector>
 
+#include "core/live/row_input.h"
 #include "core/live/sample_queue.h"
-#include "core/live/streams/byte_stream.h"
 #include "core/live/streams/clock_map.h"
-#include "core/live/streams/row_parser.h"
 #include "core/live/streams/row_times.h"
 #include "core/tracking/source.h"
 
@@ -26,7 +25,7 @@ struct RowFacts {
   std::vector<std::string> notices;  ///< units and columns that are not used
 };
 
-/// Reads rows of a measured table from a stream on a thread of its own and puts their samples into a queue.
+/// Reads rows of a measured table on a thread of its own and puts their samples into a queue.
 /// The rows' own clock is the session's clock.
 class RowSide {
  public:
@@ -34,8 +33,7 @@ class RowSide {
     kEnd,         ///< a fault ends the stream, like that of a file: rethrow() reports it
     kDisconnect,  ///< a fault disconnects the program that made it; another one may connect
   };
-  RowSide(std::unique_ptr<ByteStream> stream, RowParser parser, robot::Description robot, Faults faults,
-          SampleQueue& queue);
+  RowSide(std::unique_ptr<RowInput> input, robot::Description robot, Faults faults, SampleQueue& queue);
   ~RowSide();
 
   /// Waits for the first rows. Throws what rethrow() throws.
@@ -50,14 +48,12 @@ class RowSide {
   using Clock = std::chrono::steady_clock;
 
   void work();
-  void readOnce(std::string& bytes);
-  void take(bool ended);
+  void readOnce();
   void pass(recording::MeasuredTable table);
   void refuse(const std::string& reason);
   double now() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
 
-  std::unique_ptr<ByteStream> stream_;
-  RowParser parser_;
+  std::unique_ptr<RowInput> input_;
   const robot::Description robot_;
   const Faults faults_;
   SampleQueue& queue_;

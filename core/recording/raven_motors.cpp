@@ -6,45 +6,34 @@
 #include <map>
 
 #include "core/base/error.h"
-#include "core/base/units.h"
 #include "core/base/yaml.h"
-#include "core/robot/transmission.h"
+#include "core/robot/raven_software.h"
 #include "core/table_files/csv.h"
 
 namespace capstan::recording {
 namespace {
 
-/// Name of a column in the robot's software, its quantity and its factor to SI. The insertion axis is
-/// published as metres times 180/π and its motor in degrees like the others, so one factor holds for all
-/// positions and speeds.
+/// Name of a column in the robot's software, its quantity and its joint.
 struct RavenColumn {
   std::string_view name;
   TableColumns MeasuredTable::*quantity;
   std::size_t joint;
-  double factor;
 };
 
-constexpr double kDegree = base::kRadiansPerDegree;
 constexpr std::array kColumns = {
-    RavenColumn{"mpos1_deg", &MeasuredTable::q_m, 0, kDegree},
-    RavenColumn{"mpos2_deg", &MeasuredTable::q_m, 1, kDegree},
-    RavenColumn{"mpos3_deg", &MeasuredTable::q_m, 2, kDegree},
-    RavenColumn{"mvel1_degps", &MeasuredTable::dq_m, 0, kDegree},
-    RavenColumn{"mvel2_degps", &MeasuredTable::dq_m, 1, kDegree},
-    RavenColumn{"mvel3_degps", &MeasuredTable::dq_m, 2, kDegree},
-    RavenColumn{"jpos1_deg", &MeasuredTable::q, 0, kDegree},
-    RavenColumn{"jpos2_deg", &MeasuredTable::q, 1, kDegree},
-    RavenColumn{"jpos3_m_times_57.2958", &MeasuredTable::q, 2, kDegree},
-    RavenColumn{"tau1", &MeasuredTable::tau_m, 0, 1.0},
-    RavenColumn{"tau2", &MeasuredTable::tau_m, 1, 1.0},
-    RavenColumn{"tau3", &MeasuredTable::tau_m, 2, 1.0},
+    RavenColumn{"mpos1_deg", &MeasuredTable::q_m, 0},
+    RavenColumn{"mpos2_deg", &MeasuredTable::q_m, 1},
+    RavenColumn{"mpos3_deg", &MeasuredTable::q_m, 2},
+    RavenColumn{"mvel1_degps", &MeasuredTable::dq_m, 0},
+    RavenColumn{"mvel2_degps", &MeasuredTable::dq_m, 1},
+    RavenColumn{"mvel3_degps", &MeasuredTable::dq_m, 2},
+    RavenColumn{"jpos1_deg", &MeasuredTable::q, 0},
+    RavenColumn{"jpos2_deg", &MeasuredTable::q, 1},
+    RavenColumn{"jpos3_m_times_57.2958", &MeasuredTable::q, 2},
+    RavenColumn{"tau1", &MeasuredTable::tau_m, 0},
+    RavenColumn{"tau2", &MeasuredTable::tau_m, 1},
+    RavenColumn{"tau3", &MeasuredTable::tau_m, 2},
 };
-
-/// TR of the robot's software, N r / r_mc [rad/rad, rad/rad, rad/m], and the published radii divided by its
-/// own.
-constexpr std::array kTransmissionRatio = {12.25 * 63.095e-3 / 5.675e-3, 12.25 * 56.297e-3 / 5.675e-3,
-                                           12.25 * 1.0 / 5.675e-3};
-constexpr std::array kRounding = {1.0, 56.298 / 56.297, 1.0};
 
 MeasuredTable parseRavenMotors(std::string_view text, const std::string& file) {
   MeasuredTable table;
@@ -76,8 +65,6 @@ MeasuredTable parseRavenMotors(std::string_view text, const std::string& file) {
            {},
            "is not among the columns",
            "Export the recording with motor and joint positions, speeds and torques of joints 1 to 3"});
-  for (const RavenColumn& column : kColumns)
-    for (double& value : (table.*column.quantity)[column.joint]) value *= column.factor;
   return table;
 }
 
@@ -106,14 +93,12 @@ MeasuredTable readRavenMotors(const std::filesystem::path& path, const robot::De
          "Choose the robot file of a RAVEN-II"});
   MeasuredTable table = parseRavenMotors(base::readTextFile(path), path.string());
   checkTime(table);
-  // A q_hs: unit radii make the coupled travel of linkTravel(), which counts from the hard stop.
-  robot::Description unit = robot;
-  for (robot::Drive& drive : unit.drives) drive.link_radius = 1.0;
-  const robot::JointVector coupled = -robot::Transmission(unit).linkTravel(robot::JointVector::Zero(3));
+  const robot::RavenSoftware software(robot);
   for (std::size_t joint = 0; joint < 3; ++joint) {
-    const double at_stop = kTransmissionRatio[joint] * coupled(static_cast<Eigen::Index>(joint));
-    for (double& angle : table.q_m[joint]) angle = kRounding[joint] * (angle - at_stop);
-    for (double& speed : table.dq_m[joint]) speed *= kRounding[joint];
+    const int motor = static_cast<int>(joint);
+    for (double& angle : table.q_m[joint]) angle = software.motorPosition(motor, angle);
+    for (double& speed : table.dq_m[joint]) speed = software.motorSpeed(motor, speed);
+    for (double& position : table.q[joint]) position = robot::RavenSoftware::joint(position);
   }
   return table;
 }

@@ -6,6 +6,8 @@
 #include "core/recording/raven_motors.h"
 #include "core/recording/session_file.h"
 #include "core/recording/settle_units.h"
+#include "core/recording/source_table.h"
+#include "core/ros1/bag_source.h"
 #include "core/table_files/csv.h"
 
 namespace capstan::recording {
@@ -28,8 +30,11 @@ bool isSession(const std::filesystem::path& path) {
   return path.extension() == kSessionSuffix || firstBytes(path).starts_with("SQLite format 3");
 }
 
+bool isBag(const std::filesystem::path& path) { return ros1::isBag(firstBytes(path)); }
+
 MeasuredTable readTable(const std::filesystem::path& path, const robot::Description& robot,
                         const ReadAs& read_as) {
+  if (isBag(path)) return tableOf(*ros1::openBag(path, robot), path.string());
   if (!isRavenMotors(table_files::csvHeaderLine(firstBytes(path)))) {
     MeasuredTable table = readMeasuredTable(path);
     settleUnits(table, robot, read_as);

@@ -9,11 +9,11 @@ std::string measuredTableKinds() { return "measured table (" + table_files::tabl
 
 std::string recordingKinds() {
   return std::string("session (") + kSessionSuffix + "), " + measuredTableKinds() +
-         " or RAVEN-II motor log (.csv)";
+         ", RAVEN-II motor log (.csv) or ROS bag (.bag)";
 }
 
 std::string tablePatterns() { return "*" + table_files::tableSuffixes(" *"); }
 
-std::string recordingPatterns() { return std::string("*") + kSessionSuffix + " " + tablePatterns(); }
+std::string recordingPatterns() { return std::string("*") + kSessionSuffix + " " + tablePatterns() + " *.bag"; }
 
 }  // namespace capstan::recording

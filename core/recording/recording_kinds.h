@@ -7,11 +7,11 @@ namespace capstan::recording {
 
 /// "measured table (.csv, .jsonl, .h5, .hdf5, .mat)"
 std::string measuredTableKinds();
-/// "session (.capstan), measured table (.csv, …) or RAVEN-II motor log (.csv)"
+/// "session (.capstan), measured table (.csv, …), RAVEN-II motor log (.csv) or ROS bag (.bag)"
 std::string recordingKinds();
 /// "*.csv *.jsonl *.h5 *.hdf5 *.mat"
 std::string tablePatterns();
-/// The same with "*.capstan" before.
+/// The same with "*.capstan" before and "*.bag" behind.
 std::string recordingPatterns();
 
 }  // namespace capstan::recording

@@ -10,6 +10,7 @@
 #include "core/recording/read_table.h"
 #include "core/recording/session_source.h"
 #include "core/recording/settle_units.h"
+#include "core/ros1/bag_source.h"
 
 namespace capstan::recording {
 namespace {
@@ -98,6 +99,7 @@ bool TableSource::next(tracking::Sample& out) {
 std::unique_ptr<tracking::Source> openRecording(const std::filesystem::path& path,
                                                 const robot::Description& robot, const ReadAs& read_as) {
   if (isSession(path)) return std::make_unique<SessionSource>(path);
+  if (isBag(path)) return ros1::openBag(path, robot);
   return std::make_unique<TableSource>(path, robot, read_as);
 }
 

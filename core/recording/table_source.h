@@ -51,9 +51,9 @@ class TableSource : public tracking::Source {
   bool blocked_ = false;
 };
 
-/// Opens a session file, a RAVEN-II motor recording (raven_motors.h) or a measured table. `robot` is used for
-/// recordings without a robot, `read_as` for the units of tables. Throws ImplausibleUnits and other
-/// base::InputError as readTable().
+/// Opens a session file, a ROS bag, a RAVEN-II motor recording (raven_motors.h) or a measured table. `robot`
+/// is used for recordings without a robot, `read_as` for the units of tables. Throws ImplausibleUnits and
+/// other base::InputError as readTable().
 std::unique_ptr<tracking::Source> openRecording(const std::filesystem::path& path,
                                                 const robot::Description& robot, const ReadAs& read_as = {});
 

@@ -10,7 +10,7 @@
 namespace capstan::live {
 namespace {
 
-constexpr std::string_view kTcp = "tcp://", kHttp = "http://";
+constexpr std::string_view kTcp = "tcp://", kHttp = "http://", kRos = "ros:";
 
 /// A text that is no address, in the option that it was given to.
 struct Given {
@@ -42,14 +42,19 @@ std::pair<std::string, std::uint16_t> parseHostAndPort(const Given& given, std::
 
 }  // namespace
 
-bool isAddress(const std::string& text) { return text == "-" || text.starts_with(kTcp); }
+bool isAddress(const std::string& text) { return text == "-" || text.starts_with(kTcp) || isRosTopic(text); }
+
+bool isRosTopic(const std::string& text) { return text.starts_with(kRos); }
+
+std::string rosTopicOf(const std::string& text) { return text.substr(kRos.size()); }
 
 Address parseAddress(const std::string& text, const std::string& option) {
   const Given given{text, option,
-                    "Give - for standard input, the path of a FIFO, or tcp://ADDRESS:PORT, such as "
-                    "tcp://127.0.0.1:5555"};
+                    "Give - for standard input, the path of a FIFO, tcp://ADDRESS:PORT, such as "
+                    "tcp://127.0.0.1:5555, or ros:/TOPIC"};
   if (text.empty()) given.refuse("is empty");
   if (text == "-") return {};
+  if (isRosTopic(text)) return {.kind = Address::Kind::kRos, .path = rosTopicOf(text)};
   if (!text.starts_with(kTcp)) {
     if (text.find("://") != std::string::npos) given.refuse("has a scheme that is not known");
     return {.kind = Address::Kind::kFile, .path = text};

@@ -84,6 +84,9 @@ std::unique_ptr<ByteStream> openByteStream(const Address& address) {
       return std::make_unique<TcpListener>(address);
     case Address::Kind::kFile:
       return openFile(address.path);
+    case Address::Kind::kRos:
+      throw base::InputError({"ros:" + address.path, 0, {}, {}, "is a ROS topic, which sends no text",
+                              "Give an address of text"});
     case Address::Kind::kStandardInput:
       break;
   }

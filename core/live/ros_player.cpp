@@ -1,0 +1,141 @@
+#include "core/live/ros_player.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <optional>
+#include <thread>
+#include <tuple>
+
+#include "core/base/error.h"
+#include "core/ros1/stamp.h"
+#include "core/tracking/arrival.h"
+
+namespace capstan::live {
+namespace {
+
+using tracking::MotorSample;
+using tracking::Sample;
+using tracking::StereoFrame;
+
+}  // namespace
+
+RosPlayer::RosPlayer(const tracking::SourceInfo& info)
+    : messages_(info), begin_(info.begin), ros_begin_(ros1::rosTimeNow()) {
+  if (!ros1::isMasterThere())
+    throw base::InputError({ros1::masterAddress(),
+                            0,
+                            {},
+                            {},
+                            "is the address of no ROS master that answers",
+                            "Start one with roscore, or set ROS_MASTER_URI"});
+  // What a program needs before the first sample is latched: it can come late.
+  std::vector<ros1::OutMessage> facts = messages_.calibration(ros_begin_);
+  facts.push_back(messages_.session(0));
+  for (const ros1::OutMessage& fact : facts)
+    writers_.try_emplace(fact.topic, fact.topic, *fact.type, true).first->second.publish(fact.bytes);
+  for (const auto& [topic, type] : messages_.topics()) writers_.try_emplace(topic, topic, *type);
+}
+
+RosPlayer::~RosPlayer() = default;
+
+std::string RosPlayer::words() const {
+  std::vector<std::string> topics;
+  for (const auto& [topic, writer] : writers_) topics.push_back(topic);
+  return fmt::format("{}", fmt::join(topics, ", "));
+}
+
+bool RosPlayer::waitForSubscribers(bool images, std::chrono::milliseconds patience,
+                                   const base::Progress* progress) const {
+  const ros1::BagTopics ours = ros1::ourTopics();
+  std::vector<std::string> needed{ours.motors};
+  if (images) needed.insert(needed.end(), {ours.left, ours.right});
+  const auto end = std::chrono::steady_clock::now() + patience;
+  const auto taken = [&](const std::string& topic) {
+    const auto writer = writers_.find(topic);
+    return writer != writers_.end() && writer->second.subscribers() > 0;
+  };
+  while (!std::ranges::all_of(needed, taken)) {
+    if (std::chrono::steady_clock::now() > end || (progress && progress->cancelled())) return false;
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  return true;
+}
+
+void RosPlayer::publish(const Sample& sample, double stamp) {
+  const std::int64_t time = ros_begin_ + ros1::nanosecondsOf(stamp - begin_);
+  for (const ros1::OutMessage& message : messages_.of(sample, time))
+    if (const auto writer = writers_.find(message.topic); writer != writers_.end())
+      writer->second.publish(message.bytes);
+}
+
+/// A message that ends too early.
+void RosPlayer::publishDamaged(const Sample& sample) {
+  ros1::OutMessage message = messages_.of(sample, ros_begin_).front();
+  message.bytes.resize(message.bytes.size() / 2);
+  writers_.at(message.topic).publish(message.bytes);
+}
+
+PlayReport RosPlayer::playRows(tracking::Source& source, const PlayClock& clock, const PlayOptions& options,
+                               base::Progress* progress) {
+  PlayReport report;
+  FaultyRows rows(options.faults, options.seed);
+  const auto start = std::chrono::steady_clock::now();
+  std::optional<MotorSample> shown;   // whose values are sent
+  std::optional<double> shift = 0.0;  // of the stamps of the last motors; nothing: they were withheld
+  std::size_t row = 0;
+  for (Sample sample; source.next(sample) && !(progress && progress->cancelled());) {
+    if (std::holds_alternative<StereoFrame>(sample)) continue;
+    const double t = std::visit([](const auto& one) { return one.t; }, sample);
+    const auto* motor = std::get_if<MotorSample>(&sample);
+    if (!motor) {
+      if (shift) publish(sample, t + *shift);
+      continue;
+    }
+    const auto played = rows.next(row, t, clock.begin);
+    shift = played ? std::optional(played->stamp - t) : std::nullopt;
+    if (!played) {
+      ++report.withheld;
+    } else {
+      if (played->row == row || !shown) shown = *motor;
+      clock.waitUntil(played->due);
+      if (played->garbage) publishDamaged(*shown);
+      for (int times = played->twice ? 2 : 1; times > 0; --times) publish(*shown, played->stamp);
+      ++report.sent;
+    }
+    if (progress && row % 256 == 0 && source.info().duration > 0.0)
+      progress->report((t - clock.begin) / source.info().duration, "playing");
+    ++row;
+  }
+  report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return report;
+}
+
+ImagePlayReport RosPlayer::playImages(tracking::Source& source, const PlayClock& clock,
+                                      const PlayOptions& options, const base::Progress* progress) {
+  ImagePlayReport report;
+  FaultyRows pairs(options.faults, options.seed);
+  StereoFrame shown;
+  std::size_t pair = 0;
+  for (Sample sample; source.next(sample) && !(progress && progress->cancelled());) {
+    const auto* frame = std::get_if<StereoFrame>(&sample);
+    if (!frame) continue;
+    const auto played = pairs.next(pair, frame->t_arrival, clock.begin);
+    if (played && played->row == pair)
+      shown = {frame->t, frame->t_arrival, frame->left.clone(), frame->right.clone()};
+    ++pair;
+    if (!played) {
+      ++report.withheld;
+      continue;
+    }
+    clock.waitUntil(played->due);
+    StereoFrame sent = shown;
+    if (played->swapped) std::swap(sent.left, sent.right);
+    publish(sent, frame->t);
+    ++report.sent;
+  }
+  return report;
+}
+
+}  // namespace capstan::live

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <optional>
+
+#include "core/live/live_setup.h"
+#include "core/live/row_input.h"
+#include "core/ros1/joint_message.h"
+#include "core/ros1/raven_state.h"
+#include "core/ros1/ros_topics.h"
+
+namespace capstan::live {
+
+/// Motors as messages of a ROS topic: sensor_msgs/JointState (CRTK: …/actuators/measured_js), or the
+/// RAVEN-II's raven_state, whose messages with a stamp of zero are excluded. Joint encoders of a second topic
+/// come with the motors of their stamp.
+class RosRows final : public RowInput {
+ public:
+  /// Throws base::InputError as TopicReader.
+  RosRows(const RowsSetup& setup, const robot::Description& robot);
+
+  std::string name() const override { return "ros:" + topic_; }
+  ReadState read(std::chrono::milliseconds wait) override;
+  std::optional<recording::MeasuredTable> take() override;
+  void refuse(const std::string&) override { received_.clear(), received_encoders_.clear(); }
+  void checkOrder(const recording::MeasuredTable&) override {}
+
+ private:
+  struct Row {
+    std::chrono::steady_clock::time_point arrival;
+    tracking::MotorSample motors;
+    std::optional<tracking::JointSample> joints;
+  };
+  struct Encoders {
+    double t = 0.0;
+    tracking::JointSample joints;
+  };
+  template <class M>
+  M decoded(const ros1::TopicMessage& message) const;
+  void takeMotors(const ros1::TopicMessage& message);
+  void takeEncoders(const ros1::TopicMessage& message);
+  bool isComplete(const Row& row) const;
+  double timeOf(std::int64_t stamp);
+
+  const std::string topic_;
+  const ros1::MotorChoice choice_;
+  const robot::RavenSoftware software_;
+  ros1::TopicReader motors_;
+  std::unique_ptr<ros1::TopicReader> encoders_;  ///< null: none
+  std::optional<ros1::RavenStateLayout> raven_;
+  std::int64_t origin_ = 0;  ///< first stamp [ns]; 0: none yet
+  std::uint64_t connections_ = 0;
+  std::deque<ros1::TopicMessage> received_, received_encoders_;  ///< that take() has not decoded yet
+  std::deque<Row> rows_;                                         ///< that wait for their encoders
+  std::deque<Encoders> joints_;
+};
+
+}  // namespace capstan::live

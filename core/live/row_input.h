@@ -1,0 +1,28 @@
+#pragma once
+
+#include <chrono>
+#include <optional>
+#include <string>
+
+#include "core/live/streams/byte_stream.h"
+#include "core/recording/measured_table.h"
+
+namespace capstan::live {
+
+/// Rows of a measured table that another program sends while it measures them.
+class RowInput {
+ public:
+  virtual ~RowInput() = default;
+  /// Address, for status and errors.
+  virtual std::string name() const = 0;
+  /// Waits up to `wait` for something to come. Throws base::InputError for a fault of the system.
+  virtual ReadState read(std::chrono::milliseconds wait) = 0;
+  /// Rows that have come, in SI; nothing: none. Throws base::InputError for rows that cannot be used.
+  virtual std::optional<recording::MeasuredTable> take() = 0;
+  /// Tells the sender `reason`, if it can be told, and goes on with a new one.
+  virtual void refuse(const std::string& reason) = 0;
+  /// Throws base::InputError if the times of `rows`, which take() has just returned, do not rise.
+  virtual void checkOrder(const recording::MeasuredTable& rows) = 0;
+};
+
+}  // namespace capstan::live

@@ -1,0 +1,131 @@
+// ROS 1: bags, and robots and cameras that publish topics. Without ROS the tests skip.
+#include <unistd.h>
+
+#include <cmath>
+#include <fstream>
+
+#include "core/base/resource.h"
+#include "core/base/yaml.h"
+#include "tests/app/cli_fixture.h"
+
+namespace capstan::testing {
+namespace {
+
+class CliRos : public Cli {
+ protected:
+  /// True: the program has no ROS, or this computer no `tool` of it.
+  bool lacks(const std::string& tool) const {
+    std::ofstream(path("row.csv")) << "t,q_m1,q_m2,q_m3\n0,0,0,0\n0.001,0,0,0\n";
+    return run("play " + path("row.csv") + " --to ros", "ROS_MASTER_URI=http://localhost:1 ")
+                   .err.find("needs ROS 1") != std::string::npos ||
+           runShell("command -v " + tool).exit != 0;
+  }
+  /// Cells of a CSV file; times in whole nanoseconds, the resolution of ROS.
+  std::vector<std::string> cellsOf(const std::string& name) const {
+    std::vector<std::string> cells;
+    std::istringstream lines(textOf(name));
+    for (std::string line; std::getline(lines, line);) {
+      const std::size_t comma = line.find(',');
+      const std::string t = line.substr(0, comma);
+      cells.push_back(t == "t" ? t : std::to_string(std::llround(1e9 * std::stod(t))));
+      cells.push_back(line.substr(comma));
+    }
+    return cells;
+  }
+};
+
+TEST_F(CliRos, ABagHasTheNumbersOfItsSession) {
+  if (lacks("rosbag")) GTEST_SKIP() << "ROS 1 is not installed";
+  ASSERT_EQ(run("simulate --no-images --duration 3 --out " + path("a.capstan")).exit, 0);
+  const Ran to = run("convert " + path("a.capstan") + " " + path("a.bag")),
+            from = run("convert " + path("a.bag") + " " + path("b.capstan"));
+  ASSERT_EQ(to.exit, 0) << to.err;
+  ASSERT_EQ(from.exit, 0) << from.err;
+  for (const char* file : {"a.capstan", "a.bag", "b.capstan"})
+    ASSERT_EQ(run("convert " + path(file) + " " + path(std::string(file) + ".csv")).exit, 0);
+  EXPECT_EQ(cellsOf("a.capstan.csv"), cellsOf("a.bag.csv"));
+  EXPECT_EQ(cellsOf("a.capstan.csv"), cellsOf("b.capstan.csv"));
+  const Ran info = runShell("rosbag info " + path("a.bag"));
+  EXPECT_EQ(info.exit, 0) << info.err;
+  EXPECT_NE(info.out.find("/arm/actuators/measured_js"), std::string::npos) << info.out;
+  EXPECT_NE(info.out.find("sensor_msgs/JointState"), std::string::npos) << info.out;
+}
+
+TEST_F(CliRos, ImagesOfABagAreThoseOfItsSession) {
+  if (lacks("rosbag")) GTEST_SKIP() << "ROS 1 is not installed";
+  ASSERT_EQ(run("simulate --duration 1 --out " + path("a.capstan")).exit, 0);
+  ASSERT_EQ(run("convert " + path("a.capstan") + " " + path("a.bag")).exit, 0);
+  ASSERT_EQ(run("track " + path("a.capstan") + " --out " + path("a.csv")).exit, 0);
+  const Ran tracked = run("track " + path("a.bag") + " --out " + path("b.csv"));
+  ASSERT_EQ(tracked.exit, 0) << tracked.err;
+  EXPECT_EQ(cellsOf("a.csv").size(), cellsOf("b.csv").size());
+}
+
+TEST_F(CliRos, DamagedBagsAreRefused) {
+  if (lacks("rosbag")) GTEST_SKIP() << "ROS 1 is not installed";
+  ASSERT_EQ(run("simulate --no-images --duration 1 --out " + path("a.capstan")).exit, 0);
+  ASSERT_EQ(run("convert " + path("a.capstan") + " " + path("a.bag")).exit, 0);
+  const std::string bytes = textOf("a.bag");
+  for (const double share : {0.001, 0.3, 0.9, 0.999}) {
+    std::ofstream(path("short.bag"), std::ios::binary)
+        << bytes.substr(0, static_cast<std::size_t>(share * static_cast<double>(bytes.size())));
+    const Ran ran = run("info " + path("short.bag"));
+    EXPECT_EQ(ran.exit, 2) << share << ran.err;
+    EXPECT_NE(ran.err.find("short.bag"), std::string::npos) << ran.err;
+  }
+  for (std::size_t k = 0; k < 40; ++k) {
+    std::string flipped = bytes;
+    flipped[(k * 7919 * 131) % bytes.size()] ^= static_cast<char>(1 << (k % 8));
+    std::ofstream(path("flipped.bag"), std::ios::binary) << flipped;
+    const Ran ran = run("convert " + path("flipped.bag") + " " + path("flipped.csv") + " --force");
+    EXPECT_TRUE(ran.exit == 0 || ran.exit == 2) << k << ": " << ran.exit << ran.err;
+  }
+}
+
+TEST_F(CliRos, WithoutMotorsABagIsRefusedWithItsTopics) {
+  if (lacks("rosbag")) GTEST_SKIP() << "ROS 1 is not installed";
+  ASSERT_EQ(run("simulate --no-images --duration 1 --out " + path("a.capstan")).exit, 0);
+  ASSERT_EQ(run("convert " + path("a.capstan") + " " + path("a.bag")).exit, 0);
+  const Ran ran = run("track " + path("a.bag") + " --topics motors=/other/measured_js");
+  EXPECT_EQ(ran.exit, 2);
+  EXPECT_NE(ran.err.find("/arm/actuators/measured_js"), std::string::npos) << ran.err;
+}
+
+/// A robot and its cameras publish in real time; a master of its own, on loopback.
+TEST_F(CliRos, ARobotThatPublishesTopicsIsTracked) {
+  if (lacks("rosmaster")) GTEST_SKIP() << "ROS 1 is not installed";
+  ASSERT_EQ(run("simulate --duration 4 --seed 3 --out " + path("trial.capstan")).exit, 0);
+  const Ran direct = run("track " + path("trial.capstan") + " --save-registration " +
+                         path("registration.yaml") + " --json -");
+  ASSERT_EQ(direct.exit, 0) << direct.err;
+  std::string setup = base::readTextFile(base::resource("live/ros.yaml").string());
+  std::ofstream(path("ros.yaml")) << setup << "  registration: registration.yaml\n";
+  const std::string port = std::to_string(20000 + getpid() % 20000), program = test::commandLineProgram();
+  runShell("export ROS_HOSTNAME=localhost ROS_MASTER_URI=http://localhost:" + port +
+           "; rosmaster --core -p " + port + " >/dev/null 2>&1 & master=$!; sleep 1; " + program + " play " +
+           path("trial.capstan") + " --to ros >/dev/null 2>&1 & " + "ROS_HOSTNAME=localhost " +
+           "ROS_MASTER_URI=http://localhost:" + port + " " + program + " track --live " + path("ros.yaml") +
+           " --duration 3.5 --json " + path("live.json") + " >/dev/null 2>&1; kill $master; wait");
+  ASSERT_TRUE(fs::exists(path("live.json")));
+  const json live = json::parse(textOf("live.json")), recorded = json::parse(direct.out);
+  const json motors = live["live"][0], cameras = live["live"][1];
+  EXPECT_EQ(motors["dropped"], 0);
+  EXPECT_NEAR(motors["received"], 3500, 100);
+  EXPECT_EQ(cameras["dropped"], 0);
+  EXPECT_GT(live["camera_samples"], 30);
+  EXPECT_GT(live["references"], 3000);
+  for (int joint = 0; joint < 3; ++joint)
+    EXPECT_LT(live["rms"]["ukf"][joint], recorded["rms"]["kin"][joint]) << joint;  // the cameras correct it
+}
+
+TEST_F(CliRos, WithoutAMasterPlayingIsRefused) {
+  if (lacks("rosmaster")) GTEST_SKIP() << "ROS 1 is not installed";
+  ASSERT_EQ(run("simulate --no-images --duration 1 --out " + path("a.capstan")).exit, 0);
+  const Ran ran = run("play " + path("a.capstan") + " --to ros",
+                      "ROS_HOSTNAME=localhost ROS_MASTER_URI=http://localhost:1 ");
+  EXPECT_EQ(ran.exit, 2);
+  EXPECT_NE(ran.err.find("http://localhost:1"), std::string::npos) << ran.err;
+}
+
+}  // namespace
+}  // namespace capstan::testing
