@@ -49,7 +49,7 @@ void sketchEye(Sketch& sketch, const live::FeedEye& eye, const Banner& banner, c
                const cv::Size& image) {
   if (image.empty() || rect.empty()) return;
   const Map map(rect, image);
-  const float width = std::max(2.0F, static_cast<float>(rect.height) / 240.0F);
+  const float width = std::max(2.0F, static_cast<float>(rect.height) / 160.0F);
   const float dash = banner.certain ? 0.0F : 5.0F * width;
   std::vector<Point> shaft;
   for (int i = 0; i < eye.shaft_points; ++i) {

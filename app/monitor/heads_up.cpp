@@ -48,7 +48,7 @@ void sketchPanel(Sketch& sketch, const Font& font, const std::vector<std::string
   const float line = 1.35F * toFloat(font.pixels), margin = 0.6F * toFloat(font.pixels);
   float widest = 0.0F;
   for (const std::string& row : rows) widest = std::max(widest, font.width(row));
-  at.width = std::min(at.width, static_cast<int>(widest + 2.0F * margin));
+  at.width = std::min(at.width, static_cast<int>(std::ceil(widest + 2.0F * margin)) + 1);
   at.height = static_cast<int>(line * toFloat(static_cast<int>(rows.size())) + margin);
   sketch.fill(at, kPanel);
   for (std::size_t i = 0; i < rows.size(); ++i)

@@ -203,7 +203,7 @@ HeadsUp Monitor::headsUpOf(const Pane& pane) const {
     content.hint = std::string(live::textOf(frame_.state.title));
   } else {
     content.message = reader_.link() == Link::kRefused ? "Session not readable" : "Waiting for a session";
-    content.hint = "In Capstan, press Stereo monitor (feed " + options_.feed + ")";
+    content.hint = "In Capstan, press Monitor (feed " + options_.feed + ")";
   }
   return content;
 }

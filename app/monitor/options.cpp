@@ -40,7 +40,7 @@ void addOptions(CLI::App& cli, Options& options) {
   cli.footer(
       "Keys: 1-6 layouts, F full screen, N numbers, H help, Q or Esc leave.\n"
       "Examples:\n"
-      "  capstan-monitor                             (before or after Capstan; press Stereo monitor there)\n"
+      "  capstan-monitor                             (before or after Capstan; press Monitor there)\n"
       "  capstan-monitor --full-screen --display 2 --layout top-bottom\n"
       "  capstan-monitor --layout left & capstan-monitor --layout right     (one eye a window)");
 }

@@ -52,7 +52,7 @@ out vec4 colour;
 void main() {
   if (rows >= 0 && (int(top - gl_FragCoord.y) & 1) != rows) discard;
   vec3 seen = tint.rgb;
-  if (grey == 1) seen = vec3(max(max(seen.r, seen.g), seen.b));
+  if (grey == 1) seen = vec3(min(1.0, 1.6 * max(max(seen.r, seen.g), seen.b)));  // the palette's darkest is white
   colour = vec4(seen, tint.a * texture(atlas, at).r);
 })";
 
