@@ -34,7 +34,15 @@ class LiveDialogTest : public Shell {
 
   static live::LiveSetup everyField() {
     live::LiveSetup setup{.title = "our robot", .robot = {}, .motors = {}, .cameras = live::CamerasSetup{}};
-    setup.motors = {"tcp://127.0.0.1:5556", "q_m=deg", {2, 1, 3}, {1.0, -1.0, 1.0}, false};
+    setup.motors = {.from = "tcp://127.0.0.1:5556",
+                    .read_as = "q_m=deg",
+                    .encoders = "/arm/encoders",
+                    .names = {"a", "b", "c"},
+                    .zero = {0.1, 0.0, -0.2},
+                    .arm = 2,
+                    .motors = {2, 1, 3},
+                    .signs = {1.0, -1.0, 1.0},
+                    .reference = false};
     setup.cameras->left = "/dev/video8", setup.cameras->right = "/dev/video9";
     setup.cameras->calibration = "/somewhere", setup.cameras->registration = "/somewhere/registration.yaml";
     setup.cameras->latency = 0.03, setup.cameras->pairing = 0.005, setup.cameras->rate = 30.0;

@@ -252,6 +252,7 @@ void LiveDialog::fitLayout() {
 void LiveDialog::setSetup(const live::LiveSetup& setup) {
   title_->setText(QString::fromStdString(setup.title));
   robot_->setText(QString::fromStdString(setup.robot));
+  other_motors_ = setup.motors;
   setValue(*from_, setup.motors.from);
   read_as_->setText(QString::fromStdString(setup.motors.read_as));
   for (std::size_t joint = 0; joint < motors_.size(); ++joint) {
@@ -277,6 +278,7 @@ live::LiveSetup LiveDialog::setup() const {
   live::LiveSetup setup;
   setup.title = title_->text().toStdString();
   setup.robot = robot_->text().trimmed().toStdString();
+  setup.motors = other_motors_;
   setup.motors.from = valueOf(*from_);
   setup.motors.read_as = read_as_->text().trimmed().toStdString();
   for (std::size_t joint = 0; joint < motors_.size(); ++joint) {

@@ -69,7 +69,8 @@ class LiveDialog : public QDialog {
   QCheckBox* reference_;
   QGroupBox* cameras_;
   QDoubleSpinBox *rate_, *latency_, *pairing_;
-  live::CamerasSetup other_;  ///< fields of the file that the form does not show
+  live::CamerasSetup other_;      ///< fields of the file that the form does not show
+  live::RowsSetup other_motors_;  ///< the same of the motors
   QPushButton* preview_button_;
   LivePreviewView* preview_;
   QLabel* message_;
