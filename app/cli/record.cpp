@@ -11,6 +11,7 @@
 #include "app/cli/outputs.h"
 #include "app/cli/recordings.h"
 #include "app/cli/track_output.h"
+#include "core/live/monitor_feed.h"
 #include "core/live/runner.h"
 #include "core/tracking/make_pipeline.h"
 
@@ -18,7 +19,7 @@ namespace capstan::cli {
 namespace {
 
 struct RecordArguments {
-  std::string live, out, robot, read_as, json;
+  std::string live, out, robot, read_as, monitor_feed, json;
   double duration = 0.0;
 };
 
@@ -37,11 +38,14 @@ ExitCode record(const RecordArguments& arguments) {
   if (std::filesystem::path(arguments.out).extension() != recording::kSessionSuffix)
     refuseOption("--out", arguments.out, "does not end in .capstan", "Give a name with .capstan");
   const Output output(arguments.json);
+  std::unique_ptr<live::MonitorFeed> feed;
+  if (!arguments.monitor_feed.empty()) feed = std::make_unique<live::MonitorFeed>(arguments.monitor_feed);
   std::unique_ptr<tracking::Source> source =
       openLive(arguments.live, arguments.robot, arguments.read_as, arguments.duration);
   const tracking::SourceInfo info = source->info();
   tracking::TrackingPipeline pipeline = tracking::makePipeline(info, tracking::trackingOptionsOf(info));
   auto runner = std::make_unique<live::Runner>(std::move(source), std::move(pipeline));
+  if (feed) runner->listen(feed->begin(info));
   runner->startRecording(arguments.out, recording::headerOf(info, isoNow()));
   base::Progress progress;
   {
@@ -82,6 +86,8 @@ void addRecord(CLI::App& app, ExitCode& exit) {
       ->check(CLI::Range(0.1, 86400.0));
   command->add_option("--robot", arguments->robot, "nominal robot file; default: the left RAVEN-II");
   addReadAs(*command, arguments->read_as);
+  command->add_option("--monitor-feed", arguments->monitor_feed,
+                      "feed stereo monitors under this name: capstan-monitor --feed NAME");
   command->add_option("--json", arguments->json, "result as JSON: a file, or - for standard output");
   command->footer(
       "Examples:\n"

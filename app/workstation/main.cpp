@@ -9,6 +9,7 @@
 #include "app/numbers.h"
 #include "app/workstation/arguments.h"
 #include "widgets/shell/main_window.h"
+#include "widgets/shell/monitor_controller.h"
 
 namespace {
 
@@ -68,6 +69,8 @@ int run(int argc, char** argv) {
   const bool image = !arguments.image.empty();
   capstan::widgets::MainWindow window(image ? QString("/dev/null") : QString());
   if (!arguments.theme.empty()) window.setThemeNamed(QString::fromStdString(arguments.theme));
+  if (!arguments.monitor_feed.empty())
+    window.monitor().startFeed(QString::fromStdString(arguments.monitor_feed));
   const auto choice = choiceOf(arguments, window.lastSource());
   fitToScreen(window, size, image);
   if (image) failWithoutSource(window);

@@ -18,6 +18,10 @@ std::string commandLineProgram() { return CAPSTAN_CLI; }
 
 std::string windowProgram() { return CAPSTAN_WINDOW; }
 
+std::string monitorProgram() { return CAPSTAN_MONITOR; }
+
+std::string monitorSession() { return CAPSTAN_MONITOR_SESSION; }
+
 fs::path dataFolder() {
   if (const char* given = std::getenv("CAPSTAN_DATA")) return given;
   return sourceFile().parent_path() / "shared" / "data";

@@ -16,9 +16,12 @@ std::filesystem::path sourceFile(const std::string& name = {});
 /// A file of resources/, by its path from there.
 std::filesystem::path resourceFile(const std::string& name);
 
-/// The command line program of this build, and the window.
+/// The command line program of this build, the window, and the stereo monitor.
 std::string commandLineProgram();
 std::string windowProgram();
+std::string monitorProgram();
+/// A simulated session that feeds stereo monitors (tests/support/monitor_session.cpp).
+std::string monitorSession();
 
 /// Folder of measured data: the environment variable CAPSTAN_DATA, or ../shared/data beside the checkout.
 std::filesystem::path dataFolder();

@@ -37,6 +37,7 @@
 #include "widgets/shell/keyboard_reach.h"
 #include "widgets/shell/learning_controller.h"
 #include "widgets/shell/message_bar.h"
+#include "widgets/shell/monitor_controller.h"
 #include "widgets/shell/motor_controller.h"
 #include "widgets/shell/occlusion_controller.h"
 #include "widgets/shell/registration_controller.h"
@@ -144,6 +145,7 @@ void MainWindow::addDocks() {
   in_the_centre->setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional);
   for (const char* name : {"analyse", "diagnose", "learn"}) in_the_centre->addAction(action(name));
   new MotorController(*figure_, link_, *bar_, *messages_, *notes_, this);
+  monitor_ = new MonitorController(link_, *bar_, *messages_, *notes_, this);
 }
 
 void MainWindow::showEvent(QShowEvent* event) {

@@ -21,6 +21,7 @@ class ErrorsPanel;
 class HelpWindow;
 class LearningPanel;
 class MessageBar;
+class MonitorController;
 class NotesPanel;
 class OcclusionController;
 class OcclusionPanel;
@@ -50,6 +51,7 @@ class MainWindow : public QMainWindow {
   SessionBar& bar() { return *bar_; }
   IdentificationPanel& identification() { return *identification_; }
   AnalysisPanel& analysis();  ///< errors of runs
+  MonitorController& monitor() { return *monitor_; }
   DiagnosisPanel& diagnosis() { return *diagnosis_; }
   LearningPanel& learning() { return *learning_; }
   /// Text of the message bar; empty: no message, or closed.
@@ -113,6 +115,7 @@ class MainWindow : public QMainWindow {
   ErrorsPanel* errors_;
   NotesPanel* notes_;
   StatusLine* status_;
+  MonitorController* monitor_;
   QDockWidget* registration_dock_ = nullptr;
   bool laid_out_ = false;
   HelpWindow* help_ = nullptr;

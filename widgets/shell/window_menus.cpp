@@ -78,7 +78,7 @@ void addMenus(MainWindow& window, QMenuBar& menus) {
   view->addSeparator();
   addActions(*view, window, {"analyse", "diagnose", "learn", "", "theme"});
   auto* tools = menus.addMenu(QObject::tr("T&ools"));
-  addActions(*tools, window, {"register", "identify", "analyse", "diagnose", "learn", "motors"});
+  addActions(*tools, window, {"register", "identify", "analyse", "diagnose", "learn", "motors", "monitor"});
   auto* help = menus.addMenu(QObject::tr("&Help"));
   addActions(*help, window, {"help"});
 }
