@@ -43,6 +43,27 @@ void sketchReticle(Sketch& sketch, const Map& map, const std::array<double, 3>& 
   }
 }
 
+/// The shaft, which ends at the circle of the marker so that the 2 sigma ellipse inside stays visible.
+std::vector<Point> shaftUpToMarker(const live::FeedEye& eye, const Map& map) {
+  std::vector<Point> shaft;
+  const auto fromTip = [&eye](const std::array<double, 2>& point) {
+    return std::hypot(point[0] - eye.tip[0], point[1] - eye.tip[1]);
+  };
+  for (int i = 0; i < eye.shaft_points; ++i) {
+    const auto& point = eye.shaft[static_cast<std::size_t>(i)];
+    if (eye.tip_found && fromTip(point) < eye.tip[2]) {
+      if (i == 0) return {};
+      const auto& before = eye.shaft[static_cast<std::size_t>(i - 1)];
+      const double scale = eye.tip[2] / fromTip(before);
+      shaft.push_back(map.at(eye.tip[0] + scale * (before[0] - eye.tip[0]),
+                             eye.tip[1] + scale * (before[1] - eye.tip[1])));
+      break;
+    }
+    shaft.push_back(map.at(point[0], point[1]));
+  }
+  return shaft;
+}
+
 }  // namespace
 
 void sketchEye(Sketch& sketch, const live::FeedEye& eye, const Banner& banner, const Rect& rect,
@@ -51,12 +72,7 @@ void sketchEye(Sketch& sketch, const live::FeedEye& eye, const Banner& banner, c
   const Map map(rect, image);
   const float width = std::max(2.0F, static_cast<float>(rect.height) / 160.0F);
   const float dash = banner.certain ? 0.0F : 5.0F * width;
-  std::vector<Point> shaft;
-  for (int i = 0; i < eye.shaft_points; ++i) {
-    const auto& point = eye.shaft[static_cast<std::size_t>(i)];
-    shaft.push_back(map.at(point[0], point[1]));
-  }
-  sketch.haloed(shaft, width, banner.estimate, false, dash);
+  sketch.haloed(shaftUpToMarker(eye, map), width, banner.estimate, false, dash);
   if (eye.marker_found)
     sketch.haloed(map.ellipse(eye.circle[0], eye.circle[1], eye.circle[2], eye.circle[2], 0.0), width,
                   kCamera, true);
@@ -65,8 +81,9 @@ void sketchEye(Sketch& sketch, const live::FeedEye& eye, const Banner& banner, c
   if (!banner.certain) {
     const auto border = map.ellipse(tip[0], tip[1], eye.ellipse[0], eye.ellipse[1], eye.ellipse[2]);
     sketch.disc(border, banner.estimate.faded(0.3F));
-    sketch.haloed(border, width, banner.estimate, true);
-    sketch.haloed(map.ellipse(tip[0], tip[1], tip[2], tip[2], 0.0), width, banner.estimate, true, dash);
+    sketch.line(border, 0.5F * width, banner.estimate, true);
+    sketch.haloed(map.ellipse(tip[0], tip[1], tip[2], tip[2], 0.0), 0.6F * width, banner.estimate, true,
+                  0.6F * dash);
   }
   sketchReticle(sketch, map, tip, width, banner.estimate);
 }

@@ -22,8 +22,8 @@ float baseLine(const Font& font, float top, float height) {
 
 /// A value with its two sigma, aligned on the decimal point; "–" where it is not known.
 std::string numberRow(std::string_view name, double value, double sigma, const char* unit, int decimals) {
-  if (!std::isfinite(value)) return fmt::format("{:<8}{:>9} {:<3}", name, "–", unit);
-  const std::string row = fmt::format("{:<8}{:>9.{}f} {:<3}", name, value, decimals, unit);
+  if (!std::isfinite(value)) return fmt::format("{:<10}{:>8} {:<3}", name, "–", unit);
+  const std::string row = fmt::format("{:<10}{:>8.{}f} {:<3}", name, value, decimals, unit);
   return std::isfinite(sigma) ? row + fmt::format(" ± {:.{}f}", 2.0 * sigma, decimals) : row;
 }
 
@@ -34,7 +34,7 @@ std::vector<std::string> numberRows(const live::FeedState& state) {
     const bool angle = i != 2;
     const auto shown = [angle](double value) { return base::degreesOrMillimetres(value, angle); };
     const std::string_view name = live::textOf(state.joints[joint]);
-    rows.push_back(numberRow(name.empty() ? fmt::format("q{}", i + 1) : std::string(name.substr(0, 8)),
+    rows.push_back(numberRow(name.empty() ? fmt::format("q{}", i + 1) : std::string(name.substr(0, 10)),
                              shown(state.q[joint]), shown(state.q_sigma[joint]), angle ? "deg" : "mm", 2));
   }
   constexpr std::array kAxes = {"tip x", "tip y", "tip z"};
@@ -125,18 +125,15 @@ const std::vector<KeyHelp>& keyHelp() {
   return kKeys;
 }
 
-void sketchHeadsUp(Sketch& sketch, const HeadsUp& content, const live::FeedState& state, const Pane& pane,
-                   const FontAtlas& fonts) {
+void sketchPanels(Sketch& sketch, const HeadsUp& content, const live::FeedState& state, const Pane& pane,
+                  const FontAtlas& fonts) {
   const Rect& area = pane.picture;
   const int margin = std::max(4, fonts.text.pixels / 2);
-  if (!content.message.empty()) sketchMessage(sketch, content, area, fonts);
-  if (!content.eye.empty())
-    sketchPanel(sketch, fonts.text, {content.eye}, {area.x + margin, area.y + margin, area.width, 0});
-  if (!content.timing.empty()) {
-    const int line = static_cast<int>(2.4F * toFloat(fonts.text.pixels));
-    sketchPanel(sketch, fonts.text, {content.timing},
-                {area.x + margin, area.y + 2 * margin + line, area.width - 2 * margin, 0});
-  }
+  std::vector<std::string> corner;
+  for (const std::string& line : {content.eye, content.timing})
+    if (!line.empty()) corner.push_back(line);
+  if (!corner.empty())
+    sketchPanel(sketch, fonts.text, corner, {area.x + margin, area.y + margin, area.width - 2 * margin, 0});
   if (content.numbers) {
     const auto rows = numberRows(state);
     const int height = static_cast<int>(toFloat(fonts.numbers.pixels) *
@@ -144,6 +141,10 @@ void sketchHeadsUp(Sketch& sketch, const HeadsUp& content, const live::FeedState
     sketchPanel(sketch, fonts.numbers, rows,
                 {area.x + margin, area.y + area.height - height - margin, area.width - 2 * margin, 0});
   }
+}
+
+void sketchBarAndHelp(Sketch& sketch, const HeadsUp& content, const Pane& pane, const FontAtlas& fonts) {
+  if (!content.message.empty() && !content.help) sketchMessage(sketch, content, pane.picture, fonts);
   sketchBar(sketch, content.banner, pane.bar, fonts);
   if (content.help) sketchHelp(sketch, pane, fonts.text);
 }

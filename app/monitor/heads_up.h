@@ -35,7 +35,10 @@ struct KeyHelp {
 };
 const std::vector<KeyHelp>& keyHelp();
 
-void sketchHeadsUp(Sketch& sketch, const HeadsUp& content, const live::FeedState& state, const Pane& pane,
-                   const FontAtlas& fonts);
+/// Label of the eye, latency and numbers: below circle, arm and tip.
+void sketchPanels(Sketch& sketch, const HeadsUp& content, const live::FeedState& state, const Pane& pane,
+                  const FontAtlas& fonts);
+/// State of the session, message, help: above them.
+void sketchBarAndHelp(Sketch& sketch, const HeadsUp& content, const Pane& pane, const FontAtlas& fonts);
 
 }  // namespace capstan::monitor

@@ -25,8 +25,8 @@ nlohmann::json jsonOf(const Report& report, const Options& options) {
           {"feed", options.feed},
           {"layout", options.layout},
           {"seconds", report.seconds},
-          {"pictures", report.drawn},
-          {"pictures_per_second", static_cast<double>(report.drawn) / seconds},
+          {"drawn", report.drawn},
+          {"drawn_per_second", static_cast<double>(report.drawn) / seconds},
           {"images", report.images},
           {"images_per_second", static_cast<double>(report.images) / seconds},
           {"sessions", report.sessions},
@@ -41,13 +41,15 @@ nlohmann::json jsonOf(const Report& report, const Options& options) {
 
 std::string textOf(const Report& report) {
   const double seconds = std::max(report.seconds, 1e-9);
-  std::string text = fmt::format("{} pictures in {:.1f} s ({:.1f}/s), {} of them new images ({:.1f}/s)\n",
-                                 report.drawn, seconds, static_cast<double>(report.drawn) / seconds,
-                                 report.images, static_cast<double>(report.images) / seconds);
+  std::string text =
+      fmt::format("{} frames drawn in {:.1f} s ({:.1f}/s), {} of them with new images ({:.1f}/s)\n",
+                  report.drawn, seconds, static_cast<double>(report.drawn) / seconds, report.images,
+                  static_cast<double>(report.images) / seconds);
   if (report.latency.count > 0)
-    text +=
-        fmt::format("latency from publication to swap: median {:.2f} ms, 99 % {:.2f} ms, largest {:.2f} ms\n",
-                    1e3 * report.latency.median, 1e3 * report.latency.high, 1e3 * report.latency.most);
+    text += fmt::format(
+        "latency from publication to the end of the swap: median {:.2f} ms, 99 % {:.2f} ms, largest {:.2f} "
+        "ms\n",
+        1e3 * report.latency.median, 1e3 * report.latency.high, 1e3 * report.latency.most);
   return text;
 }
 

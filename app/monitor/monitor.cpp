@@ -176,16 +176,29 @@ void Monitor::drawPane(const Pane& pane) {
     const Rect rect = fitted(pane.picture, image.width, image.height, options_.stretched);
     painter_.mix(one.mix);
     painter_.drawImage(one.eye, rect, banner_.light);
-    if (!overlay_ || reader_.link() != Link::kLive) continue;
+  }
+  const HeadsUp content = headsUpOf(pane);
+  const auto [width, height] = window_.size();
+  painter_.mix(Mix::kNone);
+  sketch_.clear();
+  if (!content.help) sketchPanels(sketch_, content, frame_.state, pane, fonts_);
+  painter_.draw(sketch_, {0, 0, width, height});
+  if (overlay_ && reader_.link() == Link::kLive) drawOverlay(pane);
+  painter_.mix(Mix::kNone);
+  sketch_.clear();
+  sketchBarAndHelp(sketch_, content, pane, fonts_);
+  painter_.draw(sketch_, {0, 0, width, height});
+}
+
+void Monitor::drawOverlay(const Pane& pane) {
+  for (const PaneEye& one : pane.eyes) {
+    const cv::Size image = painter_.imageSize(one.eye);
+    const Rect rect = fitted(pane.picture, image.width, image.height, options_.stretched);
+    painter_.mix(one.mix);
     sketch_.clear();
     sketchEye(sketch_, frame_.state.eyes[one.eye], banner_, rect, image);
     painter_.draw(sketch_, rect);
   }
-  painter_.mix(Mix::kNone);
-  sketch_.clear();
-  sketchHeadsUp(sketch_, headsUpOf(pane), frame_.state, pane, fonts_);
-  const auto [width, height] = window_.size();
-  painter_.draw(sketch_, {0, 0, width, height});
 }
 
 HeadsUp Monitor::headsUpOf(const Pane& pane) const {

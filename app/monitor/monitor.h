@@ -38,6 +38,7 @@ class Monitor {
   bool due() const;
   void draw();
   void drawPane(const Pane& pane);
+  void drawOverlay(const Pane& pane);
   HeadsUp headsUpOf(const Pane& pane) const;
   std::string timing() const;
   double since(std::int64_t then_ns) const;

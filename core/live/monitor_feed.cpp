@@ -1,5 +1,6 @@
 #include "core/live/monitor_feed.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <limits>
@@ -15,7 +16,7 @@ namespace capstan::live {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr auto kImagePeriod = std::chrono::milliseconds(15);    // least time between images of a fast run
+constexpr auto kImagePeriod = std::chrono::milliseconds(10);    // least time between images of a fast run
 constexpr auto kStatePeriod = std::chrono::milliseconds(50);    // of states without images
 constexpr auto kImageSilence = std::chrono::milliseconds(500);  // then states come without images
 
@@ -148,10 +149,12 @@ class MonitorFeed::Session {
     for (std::size_t side = 0; side < 2; ++side) {
       const ArmOverlay::Side& seen = overlay.sides[side];
       FeedEye& eye = state_.eyes[side];
-      for (const Eigen::Vector2d& point : seen.shaft) {
-        if (eye.shaft_points == kFeedShaft) break;
-        eye.shaft[static_cast<std::size_t>(eye.shaft_points++)] = {point.x(), point.y()};
+      const std::size_t points = std::min(seen.shaft.size(), eye.shaft.size());  // those next to the marker
+      for (std::size_t i = 0; i < points; ++i) {
+        const Eigen::Vector2d& point = seen.shaft[seen.shaft.size() - points + i];
+        eye.shaft[i] = {point.x(), point.y()};
       }
+      eye.shaft_points = static_cast<std::int32_t>(points);
       if (!seen.marker) continue;
       eye.tip_found = 1;
       eye.tip = {seen.marker->x(), seen.marker->y(), seen.marker_radius};
