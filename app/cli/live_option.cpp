@@ -12,6 +12,15 @@ CLI::Option* addLive(CLI::App& command, std::string& live) {
       "the path of a FIFO, or - for standard input; rows are those of a measured table");
 }
 
+void addMonitorFeed(CLI::App& command, std::string& name) {
+  command.add_option("--monitor-feed", name,
+                     "name under which stereo monitors show the session: capstan-monitor --feed NAME");
+}
+
+std::unique_ptr<live::MonitorFeed> makeMonitorFeed(const std::string& name) {
+  return name.empty() ? nullptr : std::make_unique<live::MonitorFeed>(name);
+}
+
 std::unique_ptr<live::LiveSource> openLive(const std::string& text, const std::string& robot,
                                            const std::string& read_as, double duration) {
   auto source = std::make_unique<live::LiveSource>(live::liveSetupOf(text, robot, read_as));

@@ -7,11 +7,16 @@
 #include <vector>
 
 #include "core/live/live_source.h"
+#include "core/live/monitor_feed.h"
 
 namespace capstan::cli {
 
 /// Declares --live on `command`.
 CLI::Option* addLive(CLI::App& command, std::string& live);
+/// Declares --monitor-feed on `command`.
+void addMonitorFeed(CLI::App& command, std::string& name);
+/// Feed of that name; null: `name` is empty. Throws base::InputError (live::MonitorFeed).
+std::unique_ptr<live::MonitorFeed> makeMonitorFeed(const std::string& name);
 /// Opens the robot that --live names and says where it listens. `duration` [s] after the first sample the
 /// source ends; 0: never. Throws base::InputError as
 /// live::liveSetupOf() and live::LiveSource.

@@ -11,7 +11,6 @@
 #include "app/cli/outputs.h"
 #include "app/cli/recordings.h"
 #include "app/cli/track_output.h"
-#include "core/live/monitor_feed.h"
 #include "core/live/runner.h"
 #include "core/tracking/make_pipeline.h"
 
@@ -38,8 +37,7 @@ ExitCode record(const RecordArguments& arguments) {
   if (std::filesystem::path(arguments.out).extension() != recording::kSessionSuffix)
     refuseOption("--out", arguments.out, "does not end in .capstan", "Give a name with .capstan");
   const Output output(arguments.json);
-  std::unique_ptr<live::MonitorFeed> feed;
-  if (!arguments.monitor_feed.empty()) feed = std::make_unique<live::MonitorFeed>(arguments.monitor_feed);
+  const std::unique_ptr<live::MonitorFeed> feed = makeMonitorFeed(arguments.monitor_feed);
   std::unique_ptr<tracking::Source> source =
       openLive(arguments.live, arguments.robot, arguments.read_as, arguments.duration);
   const tracking::SourceInfo info = source->info();
@@ -86,8 +84,7 @@ void addRecord(CLI::App& app, ExitCode& exit) {
       ->check(CLI::Range(0.1, 86400.0));
   command->add_option("--robot", arguments->robot, "nominal robot file; default: the left RAVEN-II");
   addReadAs(*command, arguments->read_as);
-  command->add_option("--monitor-feed", arguments->monitor_feed,
-                      "feed stereo monitors under this name: capstan-monitor --feed NAME");
+  addMonitorFeed(*command, arguments->monitor_feed);
   command->add_option("--json", arguments->json, "result as JSON: a file, or - for standard output");
   command->footer(
       "Examples:\n"

@@ -75,8 +75,8 @@ bool Monitor::read() {
   const bool fresh = reader_.read(frame_, now_ns_);
   if (!fresh) return reader_.link() != before;
   state_ns_ = now_ns_;
-  if (frame_.state.session != session_ || before != Link::kLive) {
-    session_ = frame_.state.session;
+  if (const Session session{reader_.feeds(), frame_.state.session}; session != session_) {
+    session_ = session;
     ++report_.sessions;
     image_ns_ = now_ns_;
     for (std::size_t eye = 0; eye < 2; ++eye) painter_.setImage(eye, {});

@@ -33,6 +33,10 @@ class Monitor {
   void save(const std::string& png);
 
  private:
+  struct Session {  // a source of a feed
+    std::uint64_t feed, number;
+    bool operator==(const Session&) const = default;
+  };
   void press(int key);
   bool read();
   bool due() const;
@@ -55,7 +59,7 @@ class Monitor {
   bool overlay_ = true, leaving_ = false, fresh_image_ = false, changed_ = true;
   Banner banner_;
   std::int64_t begin_ns_ = 0, now_ns_ = 0, state_ns_ = 0, image_ns_ = 0, drawn_ns_ = 0;
-  std::uint64_t session_ = 0;
+  Session session_{};
   LatencyLog latency_;
   Report report_;
 };

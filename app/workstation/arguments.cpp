@@ -51,8 +51,9 @@ void addOptions(CLI::App& cli, Arguments& arguments) {
       "unknown camera pose, to be registered in the window"));
   for (CLI::Option* option : simulationOptions(cli))
     option->excludes(session)->excludes(table)->excludes(live);
-  cli.add_option("--monitor-feed", arguments.monitor_feed,
-                 "feed stereo monitors from the start, under this name: capstan-monitor --feed NAME");
+  cli.add_option(
+      "--monitor-feed", arguments.monitor_feed,
+      "name under which stereo monitors show the sessions from the start: capstan-monitor --feed NAME");
   cli.add_option("--theme", arguments.theme, "dark or light; default: the one chosen last")
       ->check(CLI::IsMember({"dark", "light"}));
   cli.add_option("--size", arguments.size, "width x height of the window [px]")->capture_default_str();

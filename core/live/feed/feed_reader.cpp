@@ -90,6 +90,7 @@ bool FeedReader::open() {
   }
   segment_ = std::move(segment);
   inode_ = status.st_ino;
+  ++feeds_;
   link_ = Link::kWaiting;
   fault_.clear();
   return true;

@@ -34,6 +34,8 @@ class FeedReader {
   FeedRun run() const;
   /// Reason of kRefused.
   const std::string& fault() const { return fault_; }
+  /// Number of feeds that had the name so far, one after another.
+  std::uint64_t feeds() const { return feeds_; }
   /// Number of times that a copy was given up because the writer was filling the same slot anew.
   std::uint64_t overtaken() const { return overtaken_; }
 
@@ -52,7 +54,7 @@ class FeedReader {
   std::string fault_;
   std::int64_t looked_ns_ = 0;
   bool looked_ = false;
-  std::uint64_t newest_ = 0, overtaken_ = 0;
+  std::uint64_t newest_ = 0, feeds_ = 0, overtaken_ = 0;
   FeedState state_;
 };
 

@@ -111,6 +111,26 @@ TEST(FeedFaults, AReaderGoesOnWhenTheForeignSegmentIsReplaced) {
   EXPECT_TRUE(reader.read(frame, feedNow() + 100'000'000));
 }
 
+/// As at any instant between the writer's first and last word of a state.
+TEST(FeedFaults, ASlotThatIsBeingFilledIsNotRead) {
+  FeedWriter writer(feedNamed("filled"));
+  const int descriptor = shm_open(segmentName(writer.name()).c_str(), O_RDWR, 0);
+  ASSERT_GE(descriptor, 0);
+  const FeedSegment memory(descriptor, true);
+  FeedState state;
+  writer.publish(state, cv::Mat(6, 8, CV_8UC1, cv::Scalar(9)), {});
+  FeedReader reader(writer.name());
+  FeedFrame frame;
+  auto& sequence = memory.as<FeedSlot>(slotOffset(1)).sequence;
+  for (const std::uint64_t other : {1U, 7U, 8U, 0U}) {  // filling 1; filling and holding 4; empty
+    sequence = other;
+    EXPECT_FALSE(reader.read(frame, feedNow())) << other;
+  }
+  EXPECT_GT(reader.overtaken(), 0U);
+  sequence = 2;
+  EXPECT_TRUE(reader.read(frame, feedNow()));
+}
+
 /// Every value that a reader hands on must be usable as it is, whatever bytes it has found.
 void expectUsable(const FeedFrame& frame) {
   for (std::size_t side = 0; side < 2; ++side) {
