@@ -1,6 +1,6 @@
 #pragma once
 
-/// Colours of Okabe and Ito, as in the window: told apart by colour-blind eyes.
+/// Colours of Okabe and Ito, as in the window: colour-blind eyes distinguish them.
 namespace capstan::monitor {
 
 struct Colour {

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <sys/resource.h>
+
 #include <csignal>
 #include <cstdio>
 #include <exception>
@@ -18,6 +20,13 @@ using capstan::monitor::Report;
 
 std::atomic<bool> stopped{false};
 void stop(int) { stopped = true; }
+
+/// Lowers the priority of this process and of the threads that it will start: on a busy machine, above all
+/// with a software renderer, the session goes first.
+void giveWay() {
+  constexpr int kNice = 10;
+  setpriority(PRIO_PROCESS, 0, kNice);
+}
 
 nlohmann::json jsonOf(const Report& report, const Options& options) {
   const double seconds = std::max(report.seconds, 1e-9);
@@ -83,6 +92,7 @@ int run(int argc, char** argv) {
   }
   const auto size = capstan::monitor::windowSizeOf(options.size);
   capstan::live::segmentName(options.feed);
+  giveWay();
   const capstan::monitor::WindowSystem system;
   if (options.list_displays) {
     for (const std::string& line : system.displays()) fmt::print("{}\n", line);

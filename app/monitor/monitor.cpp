@@ -55,13 +55,19 @@ Report Monitor::run(const std::atomic<bool>& stop) {
     now_ns_ = live::feedNow();
     changed_ = read() || changed_;
     changed_ = window_.takeExposed() || changed_ || options_.redraw || now_ns_ - drawn_ns_ > kTick;
-    if (changed_) draw();
+    if (changed_ && mayDraw()) draw();
     if (due()) break;
   }
   report_.seconds = 1e-9 * static_cast<double>(live::feedNow() - begin_ns_);
   report_.overtaken = reader_.overtaken();
   report_.latency = latency_.summary();
   return report_;
+}
+
+/// Where swaps do not wait for the display (software renderers), a fast session could have more images drawn
+/// than the display shows. Three quarters of its period leave the choice to swaps that do wait.
+bool Monitor::mayDraw() const {
+  return options_.redraw || since(drawn_ns_) >= 0.75 * window_.refreshPeriod();
 }
 
 bool Monitor::due() const {

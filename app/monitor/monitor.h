@@ -23,7 +23,7 @@ struct Report {
   std::string renderer;
 };
 
-/// The stereo monitor: reads a session's feed and draws it, until it is told to end.
+/// The stereo monitor: reads a session's feed and draws it, at most once per refresh of the display.
 class Monitor {
  public:
   Monitor(const Options& options, Window& window);
@@ -40,6 +40,7 @@ class Monitor {
   void press(int key);
   bool read();
   bool due() const;
+  bool mayDraw() const;
   void draw();
   void drawPane(const Pane& pane);
   void drawOverlay(const Pane& pane);

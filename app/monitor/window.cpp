@@ -128,6 +128,12 @@ int Window::firstRow() const {
   return y;
 }
 
+double Window::refreshPeriod() const {
+  const GLFWvidmode* mode = glfwGetVideoMode(monitorOf(display_));
+  constexpr int kUsual = 60;  // [Hz]
+  return 1.0 / (mode && mode->refreshRate > 0 ? mode->refreshRate : kUsual);
+}
+
 void Window::place() {
   GLFWmonitor* monitor = monitorOf(display_);
   const GLFWvidmode* mode = glfwGetVideoMode(monitor);

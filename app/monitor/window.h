@@ -35,10 +35,11 @@ class Window {
   /// Next pressed key (GLFW_KEY_…), 0: none.
   int takeKey();
   bool closed() const;
-  /// The window needs to be drawn anew since the last call.
+  /// The window has lost its contents since the last call.
   bool takeExposed();
   std::array<int, 2> size() const;  ///< [px]
   int firstRow() const;             ///< row of the display on which the window begins
+  double refreshPeriod() const;     ///< of the display [s]; 1/60 s if it is not reported
   void toggleFullScreen();
   void nextDisplay();
   /// Shows what was drawn; returns when the graphics driver has done so.

@@ -13,7 +13,7 @@ class SessionBar;
 class SessionLink;
 
 /// Feeds stereo monitors from the session, and starts them. There is no feed before the first monitor is
-/// asked for; from then on every session of the window is fed.
+/// started; from then on every session of the window is fed.
 class MonitorController : public QObject {
   Q_OBJECT
 

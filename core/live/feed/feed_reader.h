@@ -12,7 +12,7 @@ namespace capstan::live {
 
 /// Receives what a FeedWriter of the same name and user publishes, from its own process. Holds no locks and
 /// writes nothing, so a reader that is stopped or killed does not disturb the session. Follows the name from
-/// one session to the next. Nothing that is read is trusted (makeSafe).
+/// one session to the next. Everything that is read is checked (makeSafe).
 class FeedReader {
  public:
   enum class Link {
@@ -36,7 +36,7 @@ class FeedReader {
   const std::string& fault() const { return fault_; }
   /// Number of feeds that had the name so far, one after another.
   std::uint64_t feeds() const { return feeds_; }
-  /// Number of times that a copy was given up because the writer was filling the same slot anew.
+  /// Number of times that a copy was given up because the writer was filling the same slot again.
   std::uint64_t overtaken() const { return overtaken_; }
 
  private:

@@ -6,8 +6,9 @@
 #include <string_view>
 #include <type_traits>
 
-/// What a session tells its stereo monitors: one FeedState and one pair of images at a time. The structures
-/// are plain memory of fixed size, as they lie in shared memory between two programs of one machine.
+/// What a session sends to its stereo monitors: one FeedState and one pair of images at a time. The
+/// structures are plain memory of fixed size, as they lie in shared memory between two programs of one
+/// machine.
 namespace capstan::live {
 
 /// What the estimate rests on.
