@@ -11,7 +11,7 @@ namespace capstan::monitor {
 
 namespace {
 
-constexpr Colour kPanel = kBlack.faded(0.72F);
+constexpr Colour kPanel = kBlack.faded(0.55F);
 
 float toFloat(int value) { return static_cast<float>(value); }
 

@@ -7,7 +7,8 @@
 namespace capstan::monitor {
 
 void addOptions(CLI::App& cli, Options& options) {
-  cli.add_option("--feed", options.feed, "name of the session's feed; the window shows it when it starts one")
+  cli.add_option("--feed", options.feed,
+                 "name of the session's feed, as after --monitor-feed of capstan and capstan-cli")
       ->capture_default_str();
   cli.add_option("--layout", options.layout,
                  "side-by-side, top-bottom, interleaved (even rows left, odd rows right),\n"

@@ -1,4 +1,6 @@
 // The real capstan-monitor: arguments, pixels of every layout, sessions that come and go.
+#include <opencv2/core.hpp>
+
 #include "core/live/feed/feed_writer.h"
 #include "tests/app/monitor_fixture.h"
 
@@ -74,6 +76,32 @@ TEST_F(MonitorProgram, DrawsTheEyesWhereTheLayoutHasThem) {
     return static_cast<unsigned char>(0.114 * c[0] + 0.587 * c[1] + 0.299 * c[2] + 0.5);
   };
   expectNear(at(picture("anaglyph.png"), 640, 320), {grey(right), grey(right), grey(left)}, "red and cyan");
+}
+
+TEST_F(MonitorProgram, KeysChangeWhatIsShown) {
+  const cv::Vec3b left(20, 60, 200), right(180, 120, 40);
+  live::FeedWriter writer(feed_);
+  live::FeedState state;
+  writer.publish(state, cv::Mat(480, 640, CV_8UC3, cv::Scalar(left)),
+                 cv::Mat(480, 640, CV_8UC3, cv::Scalar(right)));
+  const Ran ran = onDisplay(
+      "press() {\n  $monitor --feed $feed --duration 60 --screenshot $1.png & running=$!\n  shift\n"
+      "  timeout 30 xdotool search --sync --name 'Capstan stereo monitor' >window.txt\n  sleep 0.3\n"
+      "  for key; do xdotool key --window $(head -1 window.txt) $key; done\n  wait $running || exit 1\n}\n"
+      "press left 5 q\npress swapped 5 s q\npress filled 2 5 a q\npress numbers 5 n q\n"
+      "press help 5 F1 Escape");
+  ASSERT_EQ(ran.exit, 0) << ran.err;
+  expectNear(at(picture("left.png"), 640, 320), left, "5");
+  expectNear(at(picture("left.png"), 20, 320), {0, 0, 0}, "5");
+  expectNear(at(picture("swapped.png"), 640, 320), right, "S");
+  expectNear(at(picture("filled.png"), 20, 320), left, "A");
+  const auto changed = [&](const char* name) {
+    cv::Mat difference;
+    cv::absdiff(picture("left.png"), picture(name), difference);
+    return cv::mean(difference)[2];
+  };
+  EXPECT_GT(changed("numbers.png"), 5.0);
+  EXPECT_GT(changed("help.png"), 5.0);
 }
 
 TEST_F(MonitorProgram, ShowsARunningSessionAndReportsItsLatency) {
