@@ -79,8 +79,9 @@ std::map<std::string, Room> roomsOf(const fs::path& root, const std::string& top
     if (layer != layers.end()) room.layer = layer->second;
     const std::string cmake =
         std::regex_replace(base::readTextFile(root / name / "CMakeLists.txt"), std::regex("#[^\n]*"), "");
-    if (const auto target = matches(cmake, "NAME ([a-z_]+)"); !target.empty()) room.target = target.front();
-    const auto links = matches(cmake, "capstan::([a-z_]+)");
+    if (const auto target = matches(cmake, "NAME ([a-z0-9_]+)"); !target.empty())
+      room.target = target.front();
+    const auto links = matches(cmake, "capstan::([a-z0-9_]+)");
     room.links = {links.begin(), links.end()};
   }
   for (const fs::path& file : sourcesUnder(root / top)) {
