@@ -21,6 +21,16 @@ std::unique_ptr<live::MonitorFeed> makeMonitorFeed(const std::string& name) {
   return name.empty() ? nullptr : std::make_unique<live::MonitorFeed>(name);
 }
 
+void addPublish(CLI::App& command, std::string& name_space) {
+  command.add_option("--publish", name_space,
+                     "ROS namespace to publish the estimates in, as in /capstan: measured_js, measured_cp,\n"
+                     "measured_cp_covariance, marker");
+}
+
+std::unique_ptr<live::EstimateTopics> makeEstimateTopics(const std::string& name_space) {
+  return name_space.empty() ? nullptr : std::make_unique<live::EstimateTopics>(name_space);
+}
+
 std::unique_ptr<live::LiveSource> openLive(const std::string& text, const std::string& robot,
                                            const std::string& read_as, double duration) {
   auto source = std::make_unique<live::LiveSource>(live::liveSetupOf(text, robot, read_as));

@@ -18,7 +18,7 @@ namespace capstan::cli {
 namespace {
 
 struct RecordArguments {
-  std::string live, out, robot, read_as, monitor_feed, json;
+  std::string live, out, robot, read_as, monitor_feed, publish, json;
   double duration = 0.0;
 };
 
@@ -38,12 +38,15 @@ ExitCode record(const RecordArguments& arguments) {
     refuseOption("--out", arguments.out, "does not end in .capstan", "Give a name with .capstan");
   const Output output(arguments.json);
   const std::unique_ptr<live::MonitorFeed> feed = makeMonitorFeed(arguments.monitor_feed);
+  const std::unique_ptr<live::EstimateTopics> topics = makeEstimateTopics(arguments.publish);
   std::unique_ptr<tracking::Source> source =
       openLive(arguments.live, arguments.robot, arguments.read_as, arguments.duration);
   const tracking::SourceInfo info = source->info();
   tracking::TrackingPipeline pipeline = tracking::makePipeline(info, tracking::trackingOptionsOf(info));
   auto runner = std::make_unique<live::Runner>(std::move(source), std::move(pipeline));
-  if (feed) runner->listen(feed->begin(info));
+  if (feed || topics)
+    runner->listen(live::both(feed ? feed->begin(info) : live::Listener{},
+                              topics ? topics->begin(info) : live::Listener{}));
   runner->startRecording(arguments.out, recording::headerOf(info, isoNow()));
   base::Progress progress;
   {
@@ -85,6 +88,7 @@ void addRecord(CLI::App& app, ExitCode& exit) {
   command->add_option("--robot", arguments->robot, "nominal robot file; default: the left RAVEN-II");
   addReadAs(*command, arguments->read_as);
   addMonitorFeed(*command, arguments->monitor_feed);
+  addPublish(*command, arguments->publish);
   command->add_option("--json", arguments->json, "result as JSON: a file, or - for standard output");
   command->footer(
       "Examples:\n"

@@ -29,7 +29,7 @@ namespace {
 struct TrackArguments {
   std::string file, live, out_format = "auto", format = "auto", robot, estimator_robot, options,
                           registration = "stored", mounting, out, save_registration, read_as, topics,
-                          monitor_feed, json;
+                          monitor_feed, publish, json;
   bool simulate = false, whole_frame = false;
   double occlude = 0.0;
   std::vector<std::string> fail_motor;
@@ -63,13 +63,13 @@ bool streamsOut(const TrackArguments& arguments) { return live::isAddress(argume
 struct EachSample {
   EstimateWriter& estimates;
   std::optional<CentroidStudy>& study;
-  const live::Listener& monitors;
+  const live::Listener& listener;
   bool reference;  ///< joint samples follow the motor samples
 
   void operator()(const tracking::Sample& sample, const tracking::Snapshot& snapshot) const {
     estimates.add(sample, snapshot);
     if (study) study->add(snapshot);
-    if (monitors) monitors.take(sample, snapshot);
+    if (listener) listener.take(sample, snapshot);
   }
   void waiting() const {
     if (!reference) estimates.waiting();
@@ -176,8 +176,10 @@ ExitCode track(TrackArguments& arguments, const CLI::App& command) {
     study.emplace(*simulated, occlusion);
 
   const std::unique_ptr<live::MonitorFeed> feed = makeMonitorFeed(arguments.monitor_feed);
-  const live::Listener monitors = feed ? feed->begin(info) : live::Listener{};
-  if (monitors) monitors.begin(pipeline);
+  const std::unique_ptr<live::EstimateTopics> topics = makeEstimateTopics(arguments.publish);
+  const live::Listener listener = live::both(feed ? feed->begin(info) : live::Listener{},
+                                             topics ? topics->begin(info) : live::Listener{});
+  if (listener) listener.begin(pipeline);
 
   base::Progress progress;
   tracking::TrackReport report;
@@ -186,7 +188,7 @@ ExitCode track(TrackArguments& arguments, const CLI::App& command) {
     const ProgressLine line(progress);
     const auto begin = std::chrono::steady_clock::now();
     report = tracking::trackAll(occluded, pipeline, &progress, info.duration,
-                                EachSample{estimates, study, monitors, info.reference});
+                                EachSample{estimates, study, listener, info.reference});
     spent = std::chrono::steady_clock::now() - begin;
   }
   estimates.close();
@@ -284,6 +286,7 @@ void addTrack(CLI::App& app, ExitCode& exit) {
       ->capture_default_str()
       ->check(CLI::IsMember({"auto", "csv", "jsonl"}));
   addMonitorFeed(*command, arguments->monitor_feed);
+  addPublish(*command, arguments->publish);
   command->add_option("--json", arguments->json, "result as JSON, SI: a file, or - for standard output");
   command->add_flag("--whole-frame", arguments->whole_frame,
                     "search the whole of every image, without regions of interest");

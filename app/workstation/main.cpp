@@ -8,6 +8,7 @@
 
 #include "app/numbers.h"
 #include "app/workstation/arguments.h"
+#include "widgets/shell/estimate_publisher.h"
 #include "widgets/shell/main_window.h"
 #include "widgets/shell/monitor_controller.h"
 
@@ -71,6 +72,8 @@ int run(int argc, char** argv) {
   if (!arguments.theme.empty()) window.setThemeNamed(QString::fromStdString(arguments.theme));
   if (!arguments.monitor_feed.empty())
     window.monitor().startFeed(QString::fromStdString(arguments.monitor_feed));
+  if (!arguments.publish.empty())
+    new capstan::widgets::EstimatePublisher(window.link(), arguments.publish, &window);
   const auto choice = choiceOf(arguments, window.lastSource());
   fitToScreen(window, size, image);
   if (image) failWithoutSource(window);

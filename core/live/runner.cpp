@@ -4,6 +4,19 @@
 
 namespace capstan::live {
 
+Listener both(Listener one, Listener other) {
+  if (!one) return other;
+  if (!other) return one;
+  return {[one, other](const tracking::TrackingPipeline& pipeline) {
+            one.begin(pipeline);
+            other.begin(pipeline);
+          },
+          [one, other](const tracking::Sample& sample, const tracking::Snapshot& snapshot) {
+            one.take(sample, snapshot);
+            other.take(sample, snapshot);
+          }};
+}
+
 Runner::Runner(std::unique_ptr<tracking::Source> source, tracking::TrackingPipeline pipeline,
                const RunnerOptions& options)
     : impl_(std::make_unique<Impl>(std::move(source), std::move(pipeline), options)) {}

@@ -56,6 +56,9 @@ struct Listener {
   explicit operator bool() const { return static_cast<bool>(take); }
 };
 
+/// A listener that passes everything to both, of which either may be empty.
+Listener both(Listener one, Listener other);
+
 /// Runs a source through a pipeline on its own thread: controls the speed, applies occlusion, records, and
 /// publishes data for views. Every call returns at once (startRecording() creates a file first). A runner
 /// starts paused.

@@ -3,6 +3,8 @@
 
 #include <cmath>
 #include <fstream>
+#include <set>
+#include <vector>
 
 #include "core/base/resource.h"
 #include "core/base/yaml.h"
@@ -19,6 +21,22 @@ class CliRos : public Cli {
     return run("play " + path("row.csv") + " --to ros", "ROS_MASTER_URI=http://localhost:1 ")
                    .err.find("needs ROS 1") != std::string::npos ||
            runShell("command -v " + tool).exit != 0;
+  }
+  /// Numbers of a column of a CSV file.
+  std::vector<double> columnOf(const std::string& name, const std::string& column) const {
+    std::vector<double> numbers;
+    std::istringstream lines(textOf(name));
+    std::string line, cell;
+    std::getline(lines, line);
+    std::istringstream header(line);
+    int place = 0;
+    while (std::getline(header, cell, ',') && cell != column) ++place;
+    while (std::getline(lines, line)) {
+      std::istringstream cells(line);
+      for (int k = 0; k <= place; ++k) std::getline(cells, cell, ',');
+      numbers.push_back(std::stod(cell));
+    }
+    return numbers;
   }
   /// Cells of a CSV file; times in whole nanoseconds, the resolution of ROS.
   std::vector<std::string> cellsOf(const std::string& name) const {
@@ -91,7 +109,8 @@ TEST_F(CliRos, WithoutMotorsABagIsRefusedWithItsTopics) {
   EXPECT_NE(ran.err.find("/arm/actuators/measured_js"), std::string::npos) << ran.err;
 }
 
-/// A robot and its cameras publish in real time; a master of its own, on loopback.
+/// A robot and its cameras publish in real time; a master of its own, on loopback; another program records
+/// what the session publishes.
 TEST_F(CliRos, ARobotThatPublishesTopicsIsTracked) {
   if (lacks("rosmaster")) GTEST_SKIP() << "ROS 1 is not installed";
   ASSERT_EQ(run("simulate --duration 4 --seed 3 --out " + path("trial.capstan")).exit, 0);
@@ -102,10 +121,12 @@ TEST_F(CliRos, ARobotThatPublishesTopicsIsTracked) {
   std::ofstream(path("ros.yaml")) << setup << "  registration: registration.yaml\n";
   const std::string port = std::to_string(20000 + getpid() % 20000), program = test::commandLineProgram();
   runShell("export ROS_HOSTNAME=localhost ROS_MASTER_URI=http://localhost:" + port +
-           "; rosmaster --core -p " + port + " >/dev/null 2>&1 & master=$!; sleep 1; " + program + " play " +
-           path("trial.capstan") + " --to ros >/dev/null 2>&1 & " + "ROS_HOSTNAME=localhost " +
-           "ROS_MASTER_URI=http://localhost:" + port + " " + program + " track --live " + path("ros.yaml") +
-           " --duration 3.5 --json " + path("live.json") + " >/dev/null 2>&1; kill $master; wait");
+           "; (rosmaster --core -p " + port + " & master=$!; sleep 1; " + program + " play " +
+           path("trial.capstan") + " --to ros & " + program + " track --live " + path("ros.yaml") +
+           " --publish /capstan --duration 3.5 --out " + path("live.csv") + " --json " + path("live.json") +
+           " & tracking=$!; timeout 20 rosbag record -O " + path("out.bag") +
+           " --duration 5 /capstan/measured_js /capstan/measured_cp; wait $tracking; " +
+           "kill $master; wait) >/dev/null 2>&1");
   ASSERT_TRUE(fs::exists(path("live.json")));
   const json live = json::parse(textOf("live.json")), recorded = json::parse(direct.out);
   const json motors = live["live"][0], cameras = live["live"][1];
@@ -116,6 +137,15 @@ TEST_F(CliRos, ARobotThatPublishesTopicsIsTracked) {
   EXPECT_GT(live["references"], 3000);
   for (int joint = 0; joint < 3; ++joint)
     EXPECT_LT(live["rms"]["ukf"][joint], recorded["rms"]["kin"][joint]) << joint;  // the cameras correct it
+
+  const Ran published = run("convert " + path("out.bag") + " " + path("published.csv") +
+                            " --topics motors=/capstan/measured_js");
+  ASSERT_EQ(published.exit, 0) << published.err;
+  const std::vector<double> sent = columnOf("published.csv", "q_m1"),
+                            estimates = columnOf("live.csv", "q_ukf1");
+  EXPECT_GT(sent.size(), 500u);
+  const std::set<double> known(estimates.begin(), estimates.end());
+  for (const double q : sent) ASSERT_TRUE(known.contains(q)) << q;
 }
 
 TEST_F(CliRos, WithoutAMasterPlayingIsRefused) {
