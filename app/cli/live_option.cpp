@@ -1,7 +1,10 @@
 #include "app/cli/live_option.h"
 
+#include <chrono>
+
 #include "app/cli/console.h"
 #include "core/tracking/side_text.h"
+#include "core/tracking/side_watch.h"
 
 namespace capstan::cli {
 
@@ -40,6 +43,16 @@ std::unique_ptr<live::LiveSource> openLive(const std::string& text, const std::s
   return source;
 }
 
+SideNotices::SideNotices(std::function<std::vector<tracking::SideStatus>()> sides)
+    : thread_([sides = std::move(sides)](const std::stop_token& stop) {
+        constexpr std::chrono::milliseconds kPeriod{50};
+        tracking::SideWatch watch;
+        while (!stop.stop_requested()) {
+          for (const std::string& sentence : watch.observe(sides())) notice(sentence);
+          std::this_thread::sleep_for(kPeriod);
+        }
+      }) {}
+
 std::string textOf(const std::vector<tracking::SideStatus>& sides) {
   std::string text;
   for (const tracking::SideStatus& side : sides) text += tracking::textOf(side) + '\n';
@@ -49,24 +62,25 @@ std::string textOf(const std::vector<tracking::SideStatus>& sides) {
 nlohmann::json jsonOf(const std::vector<tracking::SideStatus>& sides) {
   nlohmann::json all = nlohmann::json::array();
   for (const tracking::SideStatus& side : sides) {
-    nlohmann::json clock;
+    nlohmann::json clock, latency;
+    if (side.latency) latency = {{"median", side.latency->median}, {"p99", side.latency->p99}};
     if (side.clock)
-      clock = {{"steps", side.clock->steps},
-               {"offset", side.clock->offset},
-               {"offset_sigma", side.clock->offset_sigma},
-               {"drift", side.clock->drift},
-               {"drift_sigma", side.clock->drift_sigma},
+      clock = {{"steps", side.clock->steps},          {"last_step", side.clock->last_step},
+               {"offset", side.clock->offset},        {"offset_sigma", side.clock->offset_sigma},
+               {"drift", side.clock->drift},          {"drift_sigma", side.clock->drift_sigma},
                {"mean_delay", side.clock->mean_delay}};
     all.push_back({{"side", side.name},
                    {"from", side.from},
                    {"state", base::nameOf(side.state)},
                    {"fault", side.fault.empty() ? nlohmann::json() : nlohmann::json(side.fault)},
                    {"received", side.received},
+                   {"missing", side.missing},
                    {"repeated", side.repeated},
                    {"dropped", side.dropped},
                    {"unpaired", side.unpaired},
                    {"frozen", side.frozen},
                    {"connections", side.connections},
+                   {"latency", std::move(latency)},
                    {"clock", std::move(clock)}});
   }
   return all;

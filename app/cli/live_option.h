@@ -1,9 +1,11 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "core/live/estimate_topics.h"
@@ -27,6 +29,17 @@ std::unique_ptr<live::EstimateTopics> makeEstimateTopics(const std::string& name
 /// live::liveSetupOf() and live::LiveSource.
 std::unique_ptr<live::LiveSource> openLive(const std::string& text, const std::string& robot,
                                            const std::string& read_as, double duration);
+/// Prints a notice whenever a side of a live source falls silent, comes back, or its clock steps, for the
+/// lifetime of the object.
+class SideNotices {
+ public:
+  /// `sides` is called on a thread of this object.
+  explicit SideNotices(std::function<std::vector<tracking::SideStatus>()> sides);
+
+ private:
+  std::jthread thread_;
+};
+
 /// Lines for people about the sides of a live source.
 std::string textOf(const std::vector<tracking::SideStatus>& sides);
 /// JSON of the sides in SI.

@@ -87,6 +87,7 @@ recording::MeasuredTable rowsOf(const PlayArguments& arguments, RecordingFormat 
 struct Played {
   std::optional<live::PlayReport> rows;
   std::optional<live::ImagePlayReport> images;
+  double started = 0.0;  ///< time since 1970 at which the first row was due [s]
 };
 
 /// Sends rows, images or both, on one clock.
@@ -106,6 +107,7 @@ Played playBoth(const PlayArguments& arguments, const std::optional<RowPlay>& ro
       return live::playImages(arguments.file, *server, clock, images->options, &progress);
     });
   Played played;
+  played.started = clock.started;
   try {
     if (rows) played.rows = live::playRows(table, rows->to, clock, rows->options, &progress);
   } catch (...) {
@@ -142,7 +144,7 @@ Played playRos(const PlayArguments& arguments, RecordingFormat format, const Row
           optionsOf(arguments.video_faults, arguments.seed, "--video-fault", live::parseImageFault),
           &progress);
     });
-  Played played{player.playRows(*motors, clock, rows.options, &progress), {}};
+  Played played{player.playRows(*motors, clock, rows.options, &progress), {}, clock.started};
   if (shown.valid()) played.images = shown.get();
   return played;
 }
@@ -166,6 +168,7 @@ void say(const PlayArguments& arguments, const Output& output, std::size_t rows,
         fmt::format("{} pairs of images served; {} withheld by faults\n", report->sent, report->withheld));
     json["images"] = {{"sent", report->sent}, {"withheld", report->withheld}};
   }
+  json["started"] = played.started;
   output.json(json);
 }
 

@@ -51,6 +51,7 @@ ExitCode record(const RecordArguments& arguments) {
   base::Progress progress;
   {
     const ProgressLine line(progress);
+    const SideNotices notices([&] { return runner->status().sides; });
     runner->run();
     waitForEnd(*runner, progress);
   }

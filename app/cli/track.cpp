@@ -20,6 +20,7 @@
 #include "core/live/motor_failures.h"
 #include "core/live/occluded_source.h"
 #include "core/recording/recording_kinds.h"
+#include "core/tracking/gate_watch.h"
 #include "core/tracking/make_pipeline.h"
 #include "core/vision/registration_file.h"
 
@@ -65,9 +66,13 @@ struct EachSample {
   std::optional<CentroidStudy>& study;
   const live::Listener& listener;
   bool reference;  ///< joint samples follow the motor samples
+  bool live;
+  tracking::GateWatch gate = {};
 
-  void operator()(const tracking::Sample& sample, const tracking::Snapshot& snapshot) const {
+  void operator()(const tracking::Sample& sample, const tracking::Snapshot& snapshot) {
     estimates.add(sample, snapshot);
+    if (live)
+      if (const auto sentence = gate.observe(snapshot)) notice(*sentence);
     if (study) study->add(snapshot);
     if (listener) listener.take(sample, snapshot);
   }
@@ -186,9 +191,11 @@ ExitCode track(TrackArguments& arguments, const CLI::App& command) {
   std::chrono::duration<double> spent{};
   {
     const ProgressLine line(progress);
+    std::optional<SideNotices> notices;
+    if (live && arguments.live != "-") notices.emplace([&] { return source->sides(); });
     const auto begin = std::chrono::steady_clock::now();
     report = tracking::trackAll(occluded, pipeline, &progress, info.duration,
-                                EachSample{estimates, study, listener, info.reference});
+                                EachSample{estimates, study, listener, info.reference, live});
     spent = std::chrono::steady_clock::now() - begin;
   }
   estimates.close();

@@ -1,5 +1,7 @@
 #include "core/live/camera_side.h"
 
+#include <algorithm>
+#include <span>
 #include <utility>
 
 #include "core/base/error.h"
@@ -40,6 +42,7 @@ CameraSide::CameraSide(const CamerasSetup& setup,
       session_time_(std::move(session_time)),
       queue_(queue),
       pairer_(setup.pairing) {
+  newest_.fill({start_, start_});
   status_.name = "cameras";
   status_.counted = "image";
   for (const std::string& address : addresses_) {
@@ -59,11 +62,26 @@ CameraSide::~CameraSide() {
 tracking::SideStatus CameraSide::status() const {
   const std::lock_guard lock(mutex_);
   tracking::SideStatus status = status_;
-  if (status.received > 0) status.silent_for = std::chrono::duration<double>(Clock::now() - last_).count();
-  if (status.state == State::kReceiving && status.silent_for > tracking::SideStatus::kSilence)
-    status.state = State::kSilent;
+  if (status.state == State::kReceiving) judge(status);
   status.unpaired = pairer_.unpaired(), status.frozen = pairer_.frozen();
   return status;
+}
+
+void CameraSide::judge(tracking::SideStatus& status) const {
+  const Clock::time_point now = Clock::now();
+  const auto since = [&](Clock::time_point t) { return std::chrono::duration<double>(now - t).count(); };
+  const auto all = std::span(newest_).first(addresses_.size());
+  const auto find = [&](State state, Clock::time_point Newest::*time) {
+    const auto longest = std::ranges::min_element(all, {}, time),
+               shortest = std::ranges::max_element(all, {}, time);
+    status.silent_for = since(*longest.*time);
+    if (status.silent_for <= tracking::SideStatus::kSilence) return false;
+    status.state = state;
+    if (since(*shortest.*time) <= tracking::SideStatus::kSilence)
+      status.part = longest == all.begin() ? "left" : "right";
+    return true;
+  };
+  if (!find(State::kSilent, &Newest::image)) find(State::kFrozen, &Newest::change);
 }
 
 void CameraSide::work(int stream) {
@@ -89,12 +107,18 @@ void CameraSide::waitToReopen() const {
   for (int k = 0; k < kTenths && !quit_; ++k) std::this_thread::sleep_for(std::chrono::milliseconds(100));
 }
 
+void CameraSide::waitForSession() const {
+  constexpr std::chrono::milliseconds kPeriod{1};
+  while (!quit_ && !session_time_(Clock::now())) std::this_thread::sleep_for(kPeriod);
+}
+
 void CameraSide::readStream(int stream, VideoStream& video) {
   {
     const std::lock_guard lock(mutex_);
     ++status_.connections;
     status_.fault.clear();
   }
+  if (video.isFile()) waitForSession();
   cv::Mat image;
   while (!quit_ && video.read(image)) {
     const Clock::time_point now = Clock::now();
@@ -140,21 +164,31 @@ CameraSide::Clock::time_point CameraSide::earliest(std::int64_t stamp, Clock::ti
 void CameraSide::take(int stream, const cv::Mat& image, Clock::time_point seen, Clock::time_point arrival) {
   const std::optional<double> now = session_time_(arrival), at = session_time_(seen);
   const std::lock_guard lock(mutex_);
-  last_ = arrival;
+  Newest& newest = newest_[static_cast<std::size_t>(stream)];
+  newest.image = arrival;
   status_.state = State::kReceiving;
   ++status_.received;
-  if (!now || !at) return;
-  const double t = *at - setup_.latency;
-  if (setup_.layout == CameraLayout::kTwo) {
-    if (auto pair = pairer_.add(stream, t, image)) pass(std::move(*pair), *now);
+  if (!now || !at) {
+    newest.change = arrival;
     return;
   }
-  auto eyes = eyesOf(image, setup_.layout);
-  pairer_.add(0, t, eyes[0]);
-  if (auto pair = pairer_.add(1, t, eyes[1])) pass(std::move(*pair), *now);
+  const double t = *at - setup_.latency;
+  std::optional<FramePair> pair;
+  if (setup_.layout == CameraLayout::kTwo) {
+    pair = pairer_.add(stream, t, image);
+  } else {
+    auto eyes = eyesOf(image, setup_.layout);
+    pairer_.add(0, t, eyes[0]);
+    pair = pairer_.add(1, t, eyes[1]);
+  }
+  if (!pairer_.isFrozen(stream)) newest.change = arrival;
+  // A frozen image shows an earlier time than its own: the pair would mislead the filter.
+  if (pair && !pairer_.isFrozen(0) && !pairer_.isFrozen(1)) pass(std::move(*pair), *now);
 }
 
 void CameraSide::pass(FramePair pair, double arrival) {
+  gaps_.add(pair.t);
+  status_.missing = gaps_.missing();
   if (!queue_.offer(tracking::StereoFrame{pair.t, arrival, std::move(pair.left), std::move(pair.right)}))
     ++status_.dropped;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <functional>
 #include <mutex>
@@ -13,12 +14,15 @@
 #include "core/live/live_setup.h"
 #include "core/live/sample_queue.h"
 #include "core/live/streams/clock_map.h"
+#include "core/live/streams/gap_counter.h"
 #include "core/tracking/source.h"
 
 namespace capstan::live {
 
 /// Reads the images of one or two streams, or ROS topics, on threads of their own, pairs them, and puts the
-/// pairs into a queue. A stream that ends or falls silent is opened again. Images of ROS topics have the
+/// pairs into a queue. A pair with an image that equals the one before is
+/// excluded, and counted as frozen. A stream that ends or falls silent is opened again. A video
+/// file begins with the session. Images of ROS topics have the
 /// times of their stamps, whose clock is mapped to that of this computer (ClockMap).
 class CameraSide {
  public:
@@ -41,6 +45,9 @@ class CameraSide {
   Clock::time_point earliest(std::int64_t stamp, Clock::time_point arrival);
   void pass(FramePair pair, double arrival);
   void waitToReopen() const;
+  void waitForSession() const;
+  /// Finds the stream without images, or without new ones, for the longest time.
+  void judge(tracking::SideStatus& status) const;
 
   const CamerasSetup setup_;
   const std::vector<std::string> addresses_;  ///< one (both eyes in one image) or two
@@ -51,10 +58,14 @@ class CameraSide {
 
   mutable std::mutex mutex_;  ///< protects the members below
   FramePairer pairer_;
+  GapCounter gaps_;  ///< between the pairs
   tracking::SideStatus status_;
-  Clock::time_point last_{};
-  ClockMap clock_;           ///< from stamps to this computer's clock
-  std::int64_t origin_ = 0;  ///< first stamp [ns]; 0: none yet
+  struct Newest {
+    Clock::time_point image, change;  ///< arrival of the newest image, and of the newest that was not frozen
+  };
+  std::array<Newest, 2> newest_;  ///< by stream
+  ClockMap clock_;                ///< from stamps to this computer's clock
+  std::int64_t origin_ = 0;       ///< first stamp [ns]; 0: none yet
   const Clock::time_point start_ = Clock::now();
 
   std::vector<std::thread> threads_;

@@ -60,15 +60,38 @@ void LiveSource::readCameras(const CamerasSetup& setup) {
 
 std::vector<tracking::SideStatus> LiveSource::sides() const {
   std::vector<tracking::SideStatus> sides{rows_->status()};
-  if (cameras_) sides.push_back(cameras_->status());
+  sides.front().latency = motor_latency_.latency();
+  if (!cameras_) return sides;
+  sides.push_back(cameras_->status());
+  sides.back().latency = camera_latency_.latency();
   return sides;
 }
 
+/// Whoever asks for the next sample has the estimate of the one before.
+void LiveSource::noteTracked() {
+  if (!taken_) return;
+  (taken_->camera ? camera_latency_ : motor_latency_).add(SampleQueue::Clock::now() - taken_->offered);
+  taken_.reset();
+}
+
+bool LiveSource::ready(std::chrono::milliseconds wait) {
+  noteTracked();
+  return queue_.ready(wait);
+}
+
+void LiveSource::discard() {
+  taken_.reset();
+  queue_.clear();
+}
+
 bool LiveSource::next(tracking::Sample& out) {
-  if (!queue_.take(out)) {
+  noteTracked();
+  const auto offered = queue_.take(out);
+  if (!offered) {
     rows_->rethrow();
     return false;
   }
+  taken_ = Taken{*offered, tracking::fromCamera(out)};
   const double t = tracking::arrivalOf(out);
   if (!begin_) begin_ = t;
   if (duration_ > 0.0 && t - *begin_ > duration_) return false;

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "core/live/camera_side.h"
+#include "core/live/latency_meter.h"
 #include "core/live/live_setup.h"
 #include "core/live/row_side.h"
 #include "core/live/sample_queue.h"
@@ -24,8 +25,8 @@ class LiveSource final : public tracking::Source {
 
   const tracking::SourceInfo& info() const override { return info_; }
   bool next(tracking::Sample& out) override;
-  bool ready(std::chrono::milliseconds wait) override { return queue_.ready(wait); }
-  void discard() override { queue_.clear(); }
+  bool ready(std::chrono::milliseconds wait) override;
+  void discard() override;
   void block(bool left, bool right) override { left_blocked_ = left, right_blocked_ = right; }
   std::vector<tracking::SideStatus> sides() const override;
 
@@ -33,10 +34,17 @@ class LiveSource final : public tracking::Source {
   void readCameras(const CamerasSetup& setup);
   void cover(tracking::StereoFrame& frame) const;
   void arrange(tracking::MotorSample& sample) const;
+  void noteTracked();
 
   RowsSetup setup_;
   tracking::SourceInfo info_;
   SampleQueue queue_;
+  struct Taken {
+    SampleQueue::Clock::time_point offered;
+    bool camera = false;
+  };
+  std::optional<Taken> taken_;  ///< by tracking, whose estimate is not known to exist yet
+  LatencyMeter motor_latency_, camera_latency_;
   std::unique_ptr<RowSide> rows_;
   std::unique_ptr<CameraSide> cameras_;  ///< null: none; ends before rows_, whose clock it uses
   double duration_ = 0.0;

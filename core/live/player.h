@@ -18,6 +18,8 @@ struct PlayClock {
   double begin = 0.0;  ///< time of the recording at `start` [s]
   double speed = 1.0;  ///< recording time per wall time; 0: as fast as the receiver takes
   Clock::time_point start = Clock::now();
+  /// The same as the time of this computer, since 1970 [s].
+  double started = std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
 
   void waitUntil(double since_begin) const;
 };

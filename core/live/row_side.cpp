@@ -106,16 +106,18 @@ void RowSide::pass(recording::MeasuredTable table) {
       ++dropped;
   }
   const std::lock_guard lock(mutex_);
-  for (const double t : table.t) clock_.add(t, arrival);
+  for (const double t : table.t) clock_.add(t, arrival), gaps_.add(t);
   status_.state = State::kReceiving;
   status_.fault.clear();
   status_.received += table.rows();
   status_.dropped += dropped;
   status_.repeated = times_.repeated();
+  status_.missing = gaps_.missing();
   last_arrival_ = arrival;
   if (faults_ == Faults::kEnd) return;
-  status_.clock = tracking::SideClock{times_.steps(), clock_.offset(),           clock_.offsetUncertainty(),
-                                      clock_.drift(), clock_.driftUncertainty(), clock_.meanDelay()};
+  status_.clock = tracking::SideClock{
+      times_.steps(), times_.lastStep(),         clock_.offset(),   clock_.offsetUncertainty(),
+      clock_.drift(), clock_.driftUncertainty(), clock_.meanDelay()};
 }
 
 void RowSide::refuse(const std::string& reason) {

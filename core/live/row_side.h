@@ -13,6 +13,7 @@
 #include "core/live/row_input.h"
 #include "core/live/sample_queue.h"
 #include "core/live/streams/clock_map.h"
+#include "core/live/streams/gap_counter.h"
 #include "core/live/streams/row_times.h"
 #include "core/tracking/source.h"
 
@@ -65,6 +66,7 @@ class RowSide {
 
   mutable std::mutex mutex_;  ///< protects the members below
   tracking::SideStatus status_;
+  GapCounter gaps_;            ///< in the session's times
   ClockMap clock_;             ///< from the session's clock to this computer's
   double last_arrival_ = 0.0;  ///< [s] after start_
   std::exception_ptr fault_;

@@ -17,7 +17,9 @@
 #include "core/live/recording_slot.h"
 #include "core/live/runner.h"
 #include "core/tracking/arrival.h"
+#include "core/tracking/gate_watch.h"
 #include "core/tracking/make_pipeline.h"
+#include "core/tracking/side_watch.h"
 #include "core/tracking/take_over.h"
 
 namespace capstan::live {
@@ -267,6 +269,7 @@ class Runner::Impl {
     recording_.offer(sample_);
     const tracking::Snapshot& snapshot = pipeline_.step(sample_);
     report_.add(snapshot);
+    if (auto sentence = gate_watch_.observe(snapshot)) recording_.note(t_, "camera", std::move(*sentence));
     if (listener_) listener_.take(sample_, snapshot);
     recording_.offer(snapshot);
     const bool plotted = snapshot.camera_updated || (snapshot.motor_updated && plots_.due(snapshot.t));
@@ -308,6 +311,8 @@ class Runner::Impl {
     reported_ = wall;
     meter_.look(t_, wall);
     std::vector<tracking::SideStatus> sides = source_->sides();
+    for (std::string& sentence : side_watch_.observe(sides))
+      recording_.note(t_, "source", std::move(sentence));
     {
       const std::lock_guard lock(mutex_);
       published_report_ = report_;
@@ -348,6 +353,8 @@ class Runner::Impl {
   tracking::TrackReport report_;
   PlaybackClock pacer_;
   RateMeter meter_;
+  tracking::SideWatch side_watch_;
+  tracking::GateWatch gate_watch_;
   Clock::time_point reported_{};
 
   mutable std::mutex mutex_;  ///< protects all members below

@@ -4,6 +4,7 @@
 #include <condition_variable>
 #include <deque>
 #include <mutex>
+#include <optional>
 #include <utility>
 
 #include "core/tracking/sample.h"
@@ -13,6 +14,8 @@ namespace capstan::live {
 /// Samples on their way from the sides of a live source to tracking, in order of arrival.
 class SampleQueue {
  public:
+  using Clock = std::chrono::steady_clock;
+
   /// `capacity`: number of samples; `frames`: number of pairs of images among them.
   explicit SampleQueue(std::size_t capacity, std::size_t frames = 16)
       : capacity_(capacity), frame_capacity_(frames) {}
@@ -50,25 +53,30 @@ class SampleQueue {
     std::unique_lock lock(mutex_);
     return come_.wait_for(lock, wait, [&] { return closed_ || !samples_.empty(); });
   }
-  /// Waits for a sample. False: the queue is closed and empty.
-  bool take(tracking::Sample& out) {
+  /// Waits for a sample, and returns when it was offered. Nothing: the queue is closed and empty.
+  std::optional<Clock::time_point> take(tracking::Sample& out) {
     std::unique_lock lock(mutex_);
     come_.wait(lock, [&] { return closed_ || !samples_.empty(); });
-    if (samples_.empty()) return false;
-    out = std::move(samples_.front());
+    if (samples_.empty()) return {};
+    const Clock::time_point offered = samples_.front().offered;
+    out = std::move(samples_.front().sample);
     samples_.pop_front();
     frames_ -= isFrame(out);
     room_.notify_one();
-    return true;
+    return offered;
   }
 
  private:
+  struct Waiting {
+    tracking::Sample sample;
+    Clock::time_point offered;
+  };
   static bool isFrame(const tracking::Sample& sample) {
     return std::holds_alternative<tracking::StereoFrame>(sample);
   }
   void push(tracking::Sample&& sample) {
     frames_ += isFrame(sample);
-    samples_.push_back(std::move(sample));
+    samples_.push_back({std::move(sample), Clock::now()});
     come_.notify_one();
   }
 
@@ -76,7 +84,7 @@ class SampleQueue {
   std::size_t frames_ = 0;
   std::mutex mutex_;
   std::condition_variable come_, room_;
-  std::deque<tracking::Sample> samples_;
+  std::deque<Waiting> samples_;
   bool closed_ = false;
 };
 

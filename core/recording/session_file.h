@@ -41,7 +41,7 @@ SessionHeader headerOf(const tracking::SourceInfo& source, std::string created);
 /// An event at t [s]: occlusion, registration, a user's note.
 struct SessionEvent {
   double t = 0.0;
-  std::string kind;  ///< "occlusion", "registration", "note", "recorder"
+  std::string kind;  ///< "occlusion", "registration", "note", "source", "camera", "robot", "recorder"
   std::string text;
 };
 

@@ -41,6 +41,7 @@ EncoderWatch::EncoderWatch(const robot::Description& robot, const TrackingOption
       lost_after_(options.lost_after),
       restart_gap_(options.restart_gap),
       longest_gap_(3.5 * options.camera_period),
+      known_for_(0.5 * options.camera_period),
       samples_(options.jump_samples) {}
 
 void EncoderWatch::restart() {
@@ -84,6 +85,7 @@ std::optional<MotorSample> EncoderWatch::take(const MotorSample& sample) {
   if (!std::isfinite(sample.t)) return std::nullopt;
   const bool any = sample.position.array().isFinite().any();
   if (!any && !(newest_ && sample.t > *newest_ && sample.t - *newest_ < restart_gap_)) return std::nullopt;
+  if (newest_ && sample.t - *newest_ > known_for_) still_ = {}, seen_ = {};
   MotorSample clean = sample;
   for (int motor = 0; motor < 3; ++motor) {
     const JointSet bit = 1U << motor;
@@ -120,6 +122,7 @@ JointSet EncoderWatch::see(double t, const Vector3d& q_cam, const Matrix3d& cova
   const Seen now{true, t, q_cam, covariance.diagonal()};
   const bool continuous = isContinuous(now);
   seen_ = now;
+  if (!newest_ || t > *newest_ + known_for_) return 0;
   const Vector3d link = coupling_ * q_cam, disagreement = coupling_ * (q_cam - q_kin);
   const Vector3d variance = (coupling_ * covariance * coupling_.transpose()).diagonal();
   JointSet candidates = 0, dissent = 0;

@@ -25,7 +25,8 @@ double stillWithin(const robot::Drive& drive);
 /// changed: the marker moved on a continuous path (so it is the same object); (A q_cam)_j differs from its
 /// value at the first of these samples by more than its noise plus `frozen_tolerance` (the largest cable
 /// stretch); and every cable whose motor is not a candidate agrees with its motor within `jump_tolerance`. If
-/// motor and joints are both at rest, there is no fault.
+/// motor and joints are both at rest, there is no fault. While no motor samples come nothing is known of the
+/// counts, so that nobody is accused; they are watched anew from the first sample after such a silence.
 ///
 /// Failed encoders stay failed until declare(motor, false) or clear(). No allocation.
 class EncoderWatch {
@@ -79,6 +80,7 @@ class EncoderWatch {
   Eigen::Vector3d tolerance_, believable_, speed_;
   bool detect_;
   double lost_after_, restart_gap_, longest_gap_;
+  double known_for_;  ///< time after a motor sample for which its counts are known [s]
   int samples_;
   std::array<MotorFault, 3> faults_{};
   JointSet failed_ = 0, gap_ = 0;

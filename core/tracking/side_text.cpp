@@ -14,7 +14,8 @@ std::string counted(std::uint64_t count, const std::string& one) {
 }  // namespace
 
 bool needsAttention(const SideStatus& side) {
-  return side.state == State::kSilent || side.state == State::kRefused || side.state == State::kEnded;
+  return side.state == State::kSilent || side.state == State::kFrozen || side.state == State::kRefused ||
+         side.state == State::kEnded;
 }
 
 std::string shortTextOf(const SideStatus& side) {
@@ -22,7 +23,9 @@ std::string shortTextOf(const SideStatus& side) {
     case State::kWaiting:
       return fmt::format("{}: waiting at {}", side.name, side.from);
     case State::kSilent:
-      return fmt::format("{} silent for {:.1f} s", side.name, side.silent_for);
+    case State::kFrozen:
+      return fmt::format("{} {} for {:.1f} s", side.part.empty() ? side.name : side.part + " camera",
+                         base::nameOf(side.state), side.silent_for);
     case State::kRefused:
       return fmt::format("{} refused: {}", side.name, side.fault);
     case State::kEnded:
@@ -36,14 +39,18 @@ std::string shortTextOf(const SideStatus& side) {
 }
 
 std::string textOf(const SideStatus& side) {
-  std::string text = fmt::format("{} {} from {}: {}, {} repeated, {} dropped; {}", side.name,
-                                 base::nameOf(side.state), side.from, counted(side.received, side.counted),
-                                 side.repeated, side.dropped, counted(side.connections, "connection"));
+  std::string text =
+      fmt::format("{} {} from {}: {}, {} missing, {} repeated, {} dropped; {}", side.name,
+                  base::nameOf(side.state), side.from, counted(side.received, side.counted), side.missing,
+                  side.repeated, side.dropped, counted(side.connections, "connection"));
   if (const auto& clock = side.clock)
     text +=
         fmt::format("; {}; clock offset {:.6f} ± {:.6f} s, drift {:.2f} ± {:.2f} ppm, mean delay {:.2f} ms",
                     counted(clock->steps, "clock step"), clock->offset, clock->offset_sigma,
                     1e6 * clock->drift, 1e6 * clock->drift_sigma, 1e3 * clock->mean_delay);
+  if (side.latency)
+    text += fmt::format("; arrival to estimate {:.2f} ms, 99 % within {:.2f} ms", 1e3 * side.latency->median,
+                        1e3 * side.latency->p99);
   if (side.unpaired + side.frozen > 0)
     text += fmt::format("; {} unpaired, {} frozen", side.unpaired, side.frozen);
   if (!side.fault.empty()) text += "; last fault: " + side.fault;

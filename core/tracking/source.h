@@ -39,28 +39,39 @@ struct SourceInfo {
 /// Clock of a device, as estimated from its stamps and their arrivals.
 struct SideClock {
   std::uint64_t steps = 0;                  ///< jumps
+  double last_step = 0.0;                   ///< size of the last jump; positive: ahead [s]
   double offset = 0.0, offset_sigma = 0.0;  ///< session's clock − device's clock [s]
   double drift = 0.0, drift_sigma = 0.0;    ///< gain of the session's clock on the device's [s/s]
   double mean_delay = 0.0;                  ///< of arrivals, above the smallest [s]
 };
 
+/// Time from the arrival of a sample at this program to its estimate, over the newest samples of a side [s].
+struct SideLatency {
+  double median = 0.0, p99 = 0.0;
+};
+
 /// Condition of one side of a live source: its motors or its cameras.
 struct SideStatus {
-  enum class State { kWaiting, kReceiving, kSilent, kRefused, kEnded };
-  std::string name;                ///< "motors", "cameras"
-  std::string counted = "row";     ///< what is counted, as one word: "row", "image"
-  std::string from;                ///< address or device
-  State state = State::kWaiting;   ///< kSilent: nothing for kSilence; kRefused: `fault` disconnected it
-  std::string fault;               ///< reason of the last disconnection by this program; empty: none
-  double silent_for = 0.0;         ///< time since the last sample [s]
-  std::uint64_t received = 0;      ///< number taken
-  std::uint64_t repeated = 0;      ///< excluded, since their stamps did not rise
-  std::uint64_t dropped = 0;       ///< excluded, since tracking was too slow
-  std::uint64_t unpaired = 0;      ///< images excluded, since the other camera gave none at their time
-  std::uint64_t frozen = 0;        ///< images that equal the one before
-  std::uint64_t connections = 0;   ///< number of times that a program has connected
+  enum class State { kWaiting, kReceiving, kSilent, kFrozen, kRefused, kEnded };
+  std::string name;               ///< "motors", "cameras"
+  std::string part;               ///< camera that is silent or frozen while the other is not: "left", "right"
+  std::string counted = "row";    ///< what is counted, as one word: "row", "image"
+  std::string from;               ///< address or device
+  State state = State::kWaiting;  ///< kSilent: nothing for kSilence; kFrozen: only equal images for that
+                                  ///< time; kRefused: `fault` disconnected it
+  std::string fault;              ///< reason of the last disconnection by this program; empty: none
+  double silent_for = 0.0;        ///< time since the last sample, or the last new image [s]
+  std::uint64_t received = 0;     ///< number taken
+  std::uint64_t repeated = 0;     ///< excluded, since their stamps did not rise
+  std::uint64_t missing = 0;      ///< rows or pairs of images that never came, by the gaps in their times
+  std::uint64_t dropped = 0;      ///< excluded, since tracking was too slow
+  std::uint64_t unpaired = 0;     ///< images excluded, since the other camera gave none at their time
+  std::uint64_t frozen = 0;       ///< images that equal the one before; their pairs are excluded
+  std::uint64_t connections = 0;  ///< number of times that a program has connected
   std::optional<SideClock> clock;  ///< of a device that stamps its samples itself
-  static constexpr double kSilence = 0.5;  ///< [s]
+  std::optional<SideLatency> latency;
+  /// Shown within 0.5 s, since views ask every 0.1 s [s].
+  static constexpr double kSilence = 0.35;
 };
 
 /// Yields samples in order of arrival. Deterministic sources yield the same bytes each time.
@@ -89,7 +100,8 @@ class Source {
 template <>
 struct capstan::base::NamesOf<capstan::tracking::SideStatus::State> {
   using S = capstan::tracking::SideStatus::State;
-  static constexpr std::array value = {std::pair{S::kWaiting, "waiting"},
-                                       std::pair{S::kReceiving, "receiving"}, std::pair{S::kSilent, "silent"},
-                                       std::pair{S::kRefused, "refused"}, std::pair{S::kEnded, "ended"}};
+  static constexpr std::array value = {
+      std::pair{S::kWaiting, "waiting"}, std::pair{S::kReceiving, "receiving"},
+      std::pair{S::kSilent, "silent"},   std::pair{S::kFrozen, "frozen"},
+      std::pair{S::kRefused, "refused"}, std::pair{S::kEnded, "ended"}};
 };

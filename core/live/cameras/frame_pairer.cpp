@@ -5,7 +5,7 @@
 
 namespace capstan::live {
 
-bool FramePairer::isFrozen(int side, const cv::Mat& image) const {
+bool FramePairer::equalsLast(int side, const cv::Mat& image) const {
   const cv::Mat& last = last_[static_cast<std::size_t>(side)];
   return last.size() == image.size() && last.type() == image.type() && last.isContinuous() &&
          image.isContinuous() && std::memcmp(last.data, image.data, image.total() * image.elemSize()) == 0;
@@ -13,7 +13,7 @@ bool FramePairer::isFrozen(int side, const cv::Mat& image) const {
 
 std::optional<FramePair> FramePairer::add(int side, double t, const cv::Mat& image) {
   const auto own = static_cast<std::size_t>(side), other = 1 - own;
-  frozen_ += isFrozen(side, image);
+  frozen_ += is_frozen_[own] = equalsLast(side, image);
   last_[own] = image;
   unpaired_ += held_[own].has_value();
   held_[own] = Held{t, image};

@@ -24,17 +24,20 @@ class FramePairer {
   std::optional<FramePair> add(int side, double t, const cv::Mat& image);
   std::uint64_t unpaired() const { return unpaired_; }  ///< images excluded so far
   std::uint64_t frozen() const { return frozen_; }      ///< images that equal the one before, so far
+  /// Whether the last image of a side equals the one before.
+  bool isFrozen(int side) const { return is_frozen_[static_cast<std::size_t>(side)]; }
 
  private:
   struct Held {
     double t = 0.0;
     cv::Mat image;
   };
-  bool isFrozen(int side, const cv::Mat& image) const;
+  bool equalsLast(int side, const cv::Mat& image) const;
 
   double tolerance_;
   std::array<std::optional<Held>, 2> held_;  ///< waits for its partner
   std::array<cv::Mat, 2> last_;
+  std::array<bool, 2> is_frozen_{};
   std::uint64_t unpaired_ = 0, frozen_ = 0;
 };
 

@@ -13,7 +13,8 @@ std::optional<double> RowTimes::of(double stamp, double arrival) {
     const double passed = arrival - arrival_, ahead = stamp - stamp_;
     if (ahead < -kBack || ahead > passed + kAhead) {
       ++steps_;
-      offset_ += std::max(passed, kLeastPause) - ahead;
+      last_step_ = ahead - std::max(passed, kLeastPause);
+      offset_ -= last_step_;
     } else if (ahead <= 0.0) {
       ++repeated_;
       return {};

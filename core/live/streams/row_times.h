@@ -14,6 +14,7 @@ class RowTimes {
   /// [s]; `arrival`: on this computer [s].
   std::optional<double> of(double stamp, double arrival);
   std::uint64_t steps() const { return steps_; }        ///< steps of the rows' clock so far
+  double lastStep() const { return last_step_; }        ///< size of the last one, positive: ahead [s]
   std::uint64_t repeated() const { return repeated_; }  ///< rows excluded so far
 
   static constexpr double kBack = 0.1;   ///< a clock that goes back by more has stepped [s]
@@ -21,7 +22,7 @@ class RowTimes {
 
  private:
   bool started_ = false;
-  double offset_ = 0.0, stamp_ = 0.0, arrival_ = 0.0;
+  double offset_ = 0.0, stamp_ = 0.0, arrival_ = 0.0, last_step_ = 0.0;
   std::uint64_t steps_ = 0, repeated_ = 0;
 };
 

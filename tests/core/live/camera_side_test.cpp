@@ -3,13 +3,19 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <filesystem>
+#include <functional>
+#include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 #include <opencv2/videoio.hpp>
+#include <optional>
 #include <thread>
 
 #include "core/base/error.h"
 #include "core/live/cameras/frame_pairer.h"
+#include "core/live/cameras/image_server.h"
+#include "core/tracking/side_text.h"
 
 namespace capstan::live {
 namespace {
@@ -94,12 +100,76 @@ TEST_F(CameraSideOfAVideo, GivesPairsAtTheVideosRate) {
   EXPECT_EQ(cameras.status().dropped, 0U);
 }
 
-TEST_F(CameraSideOfAVideo, WaitsForTheSessionsClock) {
+TEST_F(CameraSideOfAVideo, BeginsWithTheSession) {
   SampleQueue queue(1000, kFrames);
+  std::atomic<bool> begun = false;
   CameraSide cameras(
-      setup(), [](CameraSide::Clock::time_point) { return std::optional<double>(); }, queue);
+      setup(), [&](CameraSide::Clock::time_point) { return begun ? std::optional(1.0) : std::nullopt; },
+      queue);
   EXPECT_FALSE(queue.ready(300ms));
-  EXPECT_GT(cameras.status().received, 0U);
+  EXPECT_EQ(cameras.status().received, 0U);
+  begun = true;
+  ASSERT_TRUE(queue.ready(2s));
+  tracking::Sample sample;
+  queue.take(sample);
+  EXPECT_NEAR(columnOf(std::get<tracking::StereoFrame>(sample).left), 10, 0.5) << "the first image";
+}
+
+/// Two network cameras whose images the test publishes, thirty times a second.
+class NetworkCameras : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    CamerasSetup setup;
+    const std::string at = "http://127.0.0.1:" + std::to_string(server_.port());
+    setup.left = at + "/left", setup.right = at + "/right";
+    const auto start = CameraSide::Clock::now();
+    cameras_.emplace(
+        setup,
+        [start](CameraSide::Clock::time_point t) -> std::optional<double> {
+          return std::chrono::duration<double>(t - start).count();
+        },
+        queue_);
+  }
+  cv::Mat newImage() {
+    cv::Mat image(48, 64, CV_8UC3);
+    cv::randu(image, 0, 255);
+    return image;
+  }
+  /// Whether the side's state is reached while `publish` is called at the rate of a camera.
+  bool reaches(tracking::SideStatus::State state, const std::function<void()>& publish) {
+    for (int k = 0; k < 300 && cameras_->status().state != state; ++k) {
+      publish();
+      std::this_thread::sleep_for(33ms);
+      tracking::Sample sample;
+      while (queue_.ready(0ms)) queue_.take(sample);
+    }
+    return cameras_->status().state == state;
+  }
+
+  using State = tracking::SideStatus::State;
+  ImageServer server_{"127.0.0.1", 0};
+  SampleQueue queue_{1000};
+  std::optional<CameraSide> cameras_;
+};
+
+TEST_F(NetworkCameras, TheCameraThatIsSilentIsNamed) {
+  ASSERT_TRUE(reaches(State::kReceiving, [&] { server_.publish(newImage(), newImage()); }));
+  ASSERT_TRUE(reaches(State::kSilent, [&] { server_.publish(newImage(), {}); }));
+  EXPECT_EQ(cameras_->status().part, "right");
+  EXPECT_GT(cameras_->status().silent_for, tracking::SideStatus::kSilence);
+  EXPECT_NE(tracking::shortTextOf(cameras_->status()).find("right camera silent for 0."), std::string::npos);
+  ASSERT_TRUE(reaches(State::kReceiving, [&] { server_.publish(newImage(), newImage()); }));
+  EXPECT_EQ(cameras_->status().part, "");
+}
+
+TEST_F(NetworkCameras, TheCameraThatIsFrozenIsNamed) {
+  const cv::Mat frozen = newImage();
+  ASSERT_TRUE(reaches(State::kReceiving, [&] { server_.publish(newImage(), newImage()); }));
+  ASSERT_TRUE(reaches(State::kFrozen, [&] { server_.publish(frozen, newImage()); }));
+  EXPECT_EQ(cameras_->status().part, "left");
+  ASSERT_TRUE(reaches(State::kReceiving, [&] { server_.publish(newImage(), newImage()); }));
+  ASSERT_TRUE(reaches(State::kFrozen, [&] { server_.publish(frozen, frozen); }));
+  EXPECT_EQ(cameras_->status().part, "") << "both are";
 }
 
 TEST(CameraSide, RefusesWhatIsNoCamera) {

@@ -75,9 +75,13 @@ TEST(LiveSource, GivesTheSamplesOfATable) {
       EXPECT_EQ(motor->position, std::get<tracking::MotorSample>(recorded).position);
     }
   }
+  EXPECT_FALSE(source.ready(0ms));
   const tracking::SideStatus status = source.sides().front();
   EXPECT_EQ(status.received, 500U);
   EXPECT_EQ(status.dropped, 0U);
+  ASSERT_TRUE(status.latency);
+  EXPECT_GT(status.latency->median, 0.0);
+  EXPECT_LE(status.latency->median, status.latency->p99);
 }
 
 TEST(LiveSource, NamesASilentSideAndTakesItBack) {
@@ -89,7 +93,7 @@ TEST(LiveSource, NamesASilentSideAndTakesItBack) {
     ASSERT_TRUE(eventually([&] { return source.sides().front().state == State::kReceiving; }));
     ASSERT_TRUE(eventually([&] { return source.sides().front().state == State::kSilent; }));
     EXPECT_NEAR(source.sides().front().silent_for, tracking::SideStatus::kSilence, 0.1);
-    EXPECT_NE(tracking::shortTextOf(source.sides().front()).find("motors silent for 0.5 s"),
+    EXPECT_NE(tracking::shortTextOf(source.sides().front()).find("motors silent for 0.4 s"),
               std::string::npos);
   }
   ASSERT_TRUE(eventually([&] { return source.sides().front().state == State::kWaiting; }));

@@ -5,11 +5,28 @@
 #include "core/base/error.h"
 #include "core/live/play_faults.h"
 #include "core/live/streams/address.h"
+#include "core/live/streams/gap_counter.h"
 #include "core/live/streams/row_parser.h"
 #include "core/live/streams/row_times.h"
 
 namespace capstan::live {
 namespace {
+
+TEST(GapCounter, CountsWhatIsMissingInASteadyStream) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> jitter(-5e-5, 5e-5);
+  GapCounter gaps;
+  std::uint64_t withheld = 0;
+  for (int k = 0; k < 5000; ++k) {
+    const bool counted = k > 100;  // the period is known
+    if (counted && (k % 50 == 0 || (k % 500) / 3 == 60)) {
+      ++withheld;
+      continue;
+    }
+    gaps.add(1e-3 * k + jitter(random) + (k > 3010 ? 2.0 : 0.0));  // and one silence of 2 s
+  }
+  EXPECT_EQ(gaps.missing(), withheld);
+}
 
 TEST(Address, NamesStandardInputFilesAndPorts) {
   EXPECT_EQ(parseAddress("-", "--live").kind, Address::Kind::kStandardInput);

@@ -239,6 +239,22 @@ TEST(MotorFailure, AGapOfMissingNumbersIsNoFailure) {
   EXPECT_LT(base::toDegrees(std::abs(s.q_link_ukf(1) - s.q_link_true(1))), 0.1);
 }
 
+TEST(MotorFailure, ASilenceOfAllMotorsIsNoFailure) {
+  SimulatedSource source(simulated(simulation::matchedTruth(), 10.0, false));
+  TrackingPipeline pipeline = makePipeline(source.info());
+  Sample sample;
+  double largest = 0.0;
+  while (source.next(sample)) {
+    const auto* motor = std::get_if<MotorSample>(&sample);
+    if (motor && motor->t > 3.0 && motor->t < 5.0) continue;  // the cameras go on seeing the arm move
+    const Snapshot& s = pipeline.step(sample);
+    for (int k = 0; k < 3; ++k) ASSERT_EQ(s.motor_failed[k], MotorFault::kNone) << k << " at " << s.t;
+    if (s.t > 6.0 && s.reference_paired)
+      largest = std::max(largest, (s.q_link_ukf - s.q_link_true).cwiseAbs()(2));
+  }
+  EXPECT_LT(largest, 2e-3) << "insertion [m]: as without the silence";
+}
+
 TEST(MotorFailure, DeclaredAndTakenBack) {
   SimulatedSource source(simulated(simulation::matchedTruth(), 6.0, false));
   const std::vector<Sample> samples = test::samplesOf(source);

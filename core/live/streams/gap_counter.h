@@ -1,0 +1,41 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+namespace capstan::live {
+
+/// Counts the samples that are missing between those that came, from their times: a sender with a steady
+/// period leaves a gap of two periods where one is missing. The period is the median of the first
+/// kLearned intervals, and of each kLearned after them.
+class GapCounter {
+ public:
+  static constexpr std::size_t kLearned = 32;
+  static constexpr double kSilence = 0.35;  ///< a longer gap is a silence, not missing samples [s]
+
+  void add(double t) {
+    const double interval = t - last_;
+    last_ = t;
+    if (count_++ == 0 || interval <= 0.0 || interval > kSilence) return;
+    if (period_ > 0.0)
+      missing_ += static_cast<std::uint64_t>(std::max(0.0, std::round(interval / period_) - 1.0));
+    intervals_[learned_++] = interval;
+    if (learned_ < kLearned) return;
+    const auto middle = intervals_.begin() + kLearned / 2;
+    std::nth_element(intervals_.begin(), middle, intervals_.end());
+    period_ = *middle;
+    learned_ = 0;
+  }
+  std::uint64_t missing() const { return missing_; }
+
+ private:
+  std::array<double, kLearned> intervals_{};
+  std::size_t learned_ = 0;
+  double last_ = 0.0, period_ = 0.0;
+  std::uint64_t count_ = 0, missing_ = 0;
+};
+
+}  // namespace capstan::live

@@ -1,0 +1,44 @@
+#include "core/tracking/side_watch.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/tracking/side_text.h"
+
+namespace capstan::tracking {
+namespace {
+
+using State = SideStatus::State;
+
+/// The side's new state in words.
+std::string sentenceOf(const SideStatus& side, double silent_for) {
+  if (side.state == State::kReceiving)
+    return silent_for > 0.0 ? fmt::format("{} receiving again after {:.1f} s", side.name, silent_for)
+                            : side.name + " receiving";
+  if (side.state == State::kSilent || side.state == State::kFrozen)
+    return fmt::format("{} {}", side.part.empty() ? side.name : side.part + " camera",
+                       base::nameOf(side.state));
+  return shortTextOf(side);
+}
+
+}  // namespace
+
+std::vector<std::string> SideWatch::observe(const std::vector<SideStatus>& sides) {
+  std::vector<std::string> sentences;
+  seen_.resize(sides.size());
+  for (std::size_t k = 0; k < sides.size(); ++k) {
+    const SideStatus& side = sides[k];
+    Seen& seen = seen_[k];
+    if (side.state != seen.state || side.part != seen.part)
+      sentences.push_back(sentenceOf(side, seen.received > 0 ? seen.silent_for : 0.0));
+    if (side.clock && side.clock->steps > seen.steps)
+      sentences.push_back(fmt::format("{}: clock stepped by {:+.3f} s", side.name, side.clock->last_step));
+    seen.silent_for = side.state == State::kReceiving ? 0.0 : std::max(seen.silent_for, side.silent_for);
+    seen.state = side.state, seen.part = side.part, seen.received = side.received;
+    seen.steps = side.clock ? side.clock->steps : 0;
+  }
+  return sentences;
+}
+
+}  // namespace capstan::tracking

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/tracking/source.h"
+
+namespace capstan::tracking {
+
+/// Notices what changes at the sides of a live source: for a log, and for the events of a recording.
+class SideWatch {
+ public:
+  /// Sentences about what has changed since the last call, as "motors silent" or "motors receiving again
+  /// after 2.1 s". Without a change: none.
+  std::vector<std::string> observe(const std::vector<SideStatus>& sides);
+
+ private:
+  struct Seen {
+    SideStatus::State state = SideStatus::State::kWaiting;
+    std::string part;
+    std::uint64_t steps = 0, received = 0;
+    double silent_for = 0.0;  ///< longest time in the present silence [s]
+  };
+  std::vector<Seen> seen_;
+};
+
+}  // namespace capstan::tracking

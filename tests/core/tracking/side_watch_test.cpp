@@ -1,0 +1,46 @@
+#include "core/tracking/side_watch.h"
+
+#include <gtest/gtest.h>
+
+namespace capstan::tracking {
+namespace {
+
+using State = SideStatus::State;
+using Sentences = std::vector<std::string>;
+
+class SideWatchTest : public ::testing::Test {
+ protected:
+  Sentences observe(State state, double silent_for = 0.0) {
+    side_.state = state, side_.silent_for = silent_for;
+    side_.received += state == State::kReceiving;
+    return watch_.observe({side_});
+  }
+  SideWatchTest() { side_.name = "motors", side_.from = "tcp://127.0.0.1:5555"; }
+
+  SideStatus side_;
+  SideWatch watch_;
+};
+
+TEST_F(SideWatchTest, SaysEachChangeOnce) {
+  EXPECT_EQ(observe(State::kWaiting), Sentences{});
+  EXPECT_EQ(observe(State::kReceiving), Sentences{"motors receiving"});
+  EXPECT_EQ(observe(State::kReceiving), Sentences{});
+  EXPECT_EQ(observe(State::kSilent, 0.4), Sentences{"motors silent"});
+  EXPECT_EQ(observe(State::kSilent, 2.1), Sentences{});
+  EXPECT_EQ(observe(State::kReceiving), Sentences{"motors receiving again after 2.1 s"});
+  side_.fault = "line 7 is no row";
+  EXPECT_EQ(observe(State::kRefused), Sentences{"motors refused: line 7 is no row"});
+}
+
+TEST_F(SideWatchTest, NamesTheCameraAndTheStepOfAClock) {
+  observe(State::kReceiving);
+  side_.name = "cameras", side_.part = "left";
+  EXPECT_EQ(observe(State::kFrozen, 0.4), Sentences{"left camera frozen"});
+  side_.part = "";
+  EXPECT_EQ(observe(State::kFrozen, 0.5), Sentences{"cameras frozen"}) << "now both are";
+  side_.clock = SideClock{.steps = 1, .last_step = 0.5};
+  EXPECT_EQ(observe(State::kFrozen, 0.6), Sentences{"cameras: clock stepped by +0.500 s"});
+}
+
+}  // namespace
+}  // namespace capstan::tracking
