@@ -61,6 +61,7 @@ int run(int argc, char** argv) {
   cli::addExplore(app, exit);
   cli::addExperiment(app, exit);
   cli::addCalibrate(app, exit);
+  cli::addRegister(app, exit);
   cli::addInfo(app, exit);
   cli::addConvert(app, exit);
   cli::addReport(app, exit);

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <array>
+#include <span>
+#include <vector>
+
+#include "core/base/names.h"
+#include "core/base/result.h"
+
+namespace capstan::registration {
+
+/// Reason why pairs of points do not determine base_from_camera.
+enum class PairFault { kTooFewPairs, kCollinear, kMirrored, kScale, kNoAgreement };
+
+struct PairRefusal {
+  PairFault fault = PairFault::kTooFewPairs;
+  double value = 0.0;  ///< kScale: length in the base frame over length in the camera frame; else pairs used
+};
+
+struct PairRegistration {
+  Eigen::Isometry3d base_from_camera = Eigen::Isometry3d::Identity();
+  /// Covariance of (rotation vector [rad], translation [m]), both in base axes, 6 × 6. The true transform is
+  /// p = exp(θ) R c + t + δt for a point c in the camera frame.
+  Eigen::Matrix<double, 6, 6> covariance = Eigen::Matrix<double, 6, 6>::Zero();
+  double sigma = 0.0;              ///< standard deviation of a pair per axis [m]
+  double rms = 0.0;                ///< RMS distance of the pairs used [m]
+  double leave_one_out_rms = 0.0;  ///< RMS distance of each pair used from the fit of the others [m]
+  std::vector<double> residuals;   ///< distance of every pair from the fit [m]
+  std::vector<bool> used;          ///< false: rejected as an outlier
+};
+
+/// Computes base_from_camera from the same points in both frames [m] by least squares (Kabsch 1976) over the
+/// pairs that agree. The start is the least trimmed squares fit of random triples (Rousseeuw & Van Driessen
+/// 2006). A pair is rejected where its squared distance exceeds what normal errors give once in a hundred
+/// sets (F distribution, Bonferroni). At least four pairs. Refuses points on one line, frames of unequal
+/// handedness, lengths whose ratio is outside 1 ± 0.03, and sets in which half of the pairs or fewer agree.
+base::Result<PairRegistration, PairRefusal> registerPairs(std::span<const Eigen::Vector3d> camera,
+                                                          std::span<const Eigen::Vector3d> base);
+
+}  // namespace capstan::registration
+
+template <>
+struct capstan::base::NamesOf<capstan::registration::PairFault> {
+  using F = capstan::registration::PairFault;
+  static constexpr std::array value = {std::pair{F::kTooFewPairs, "fewer than four pairs"},
+                                       std::pair{F::kCollinear, "the points lie on one line"},
+                                       std::pair{F::kMirrored, "one frame is mirrored"},
+                                       std::pair{F::kScale, "lengths in the two frames differ"},
+                                       std::pair{F::kNoAgreement, "half of the pairs or fewer agree"}};
+};
