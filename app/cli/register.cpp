@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
-#include <cmath>
+#include <Eigen/Geometry>
+#include <cstdlib>
 #include <memory>
 #include <optional>
 #include <string>
@@ -9,9 +10,8 @@
 #include "app/cli/command.h"
 #include "app/cli/console.h"
 #include "app/cli/outputs.h"
-#include "core/base/error.h"
 #include "core/registration/pair_registration.h"
-#include "core/table_files/read_columns.h"
+#include "core/registration/pair_table.h"
 #include "core/vision/registration_file.h"
 #include "core/vision/rig_file.h"
 #include "core/vision/triangulation.h"
@@ -22,98 +22,6 @@ namespace {
 struct RegisterArguments {
   std::string pairs, cameras, out, json;
 };
-
-constexpr std::array<const char*, 3> kBase = {"x", "y", "z"};
-constexpr std::array<const char*, 3> kCamera = {"cam_x", "cam_y", "cam_z"};
-constexpr std::array<const char*, 4> kPixels = {"left_u", "left_v", "right_u", "right_v"};
-
-struct PairTable {
-  std::vector<Eigen::Vector3d> base, camera;
-};
-
-using Column = std::vector<double>;
-
-const char* nameOf(std::size_t index) {
-  if (index < 3) return kBase[index];
-  return index < 6 ? kCamera[index - 3] : kPixels[index - 6];
-}
-
-std::array<Column, 10> columnsOf(const std::string& file, const table_files::ColumnReader& reader) {
-  std::array<Column, 10> columns;
-  std::array<bool, 10> given{};
-  reader.read([&](std::string_view name, std::size_t) -> Column* {
-    for (std::size_t i = 0; i < columns.size(); ++i)
-      if (name == nameOf(i)) {
-        if (given[i])
-          throw base::InputError({file,
-                                  reader.lines.header(),
-                                  std::string(name),
-                                  {},
-                                  "the column is given twice",
-                                  "Remove one"});
-        given[i] = true;
-        return &columns[i];
-      }
-    return nullptr;
-  });
-  const bool points = given[3] && given[4] && given[5];
-  for (std::size_t i = points ? 0 : 6; i < (points ? 3 : columns.size()); ++i)
-    if (!given[i])
-      throw base::InputError({file,
-                              reader.lines.header(),
-                              nameOf(i),
-                              {},
-                              "the column is missing",
-                              "Give the tip as x, y, z [m] and the marker as cam_x, cam_y, cam_z [m] or as "
-                              "left_u, left_v, right_u, right_v [px]"});
-  for (std::size_t i = 0; i < 3; ++i)
-    if (!given[i])
-      throw base::InputError({file,
-                              reader.lines.header(),
-                              nameOf(i),
-                              {},
-                              "the column is missing",
-                              "Give the tip's position in the base frame as x, y, z [m]"});
-  if (points)
-    for (std::size_t i = 6; i < columns.size(); ++i) columns[i].clear();
-  return columns;
-}
-
-PairTable readPairs(const RegisterArguments& arguments) {
-  const auto reader = table_files::columnsIn(arguments.pairs);
-  const auto columns = columnsOf(arguments.pairs, reader);
-  const bool points = !columns[3].empty();
-  std::optional<vision::Triangulator> triangulator;
-  if (!points) {
-    if (arguments.cameras.empty())
-      refuseOption("--cameras", "", "is needed for a table of pixels",
-                   "Give the folder of the calibrated cameras");
-    triangulator.emplace(vision::readRig(arguments.cameras));
-  }
-  PairTable table;
-  for (std::size_t row = 0; row < columns[0].size(); ++row) {
-    const auto at = [&](std::size_t column) {
-      const double value = columns[column][row];
-      if (!std::isfinite(value))
-        throw base::InputError(reader.lines.at(arguments.pairs, row, nameOf(column), fmt::format("{}", value),
-                                               "is not a finite number", "Remove the row"));
-      return value;
-    };
-    table.base.emplace_back(at(0), at(1), at(2));
-    if (points) {
-      table.camera.emplace_back(at(3), at(4), at(5));
-      continue;
-    }
-    const auto seen = triangulator->triangulate({at(6), at(7)}, {at(8), at(9)}, 1.0, 1.0);
-    if (!seen.found())
-      throw base::InputError(reader.lines.at(
-          arguments.pairs, row, "left_u, left_v, right_u, right_v", {},
-          "the rays do not meet in front of the cameras (" + std::string(base::nameOf(seen.fault)) + ")",
-          "Check whether the left and the right camera are exchanged, or remove the row"));
-    table.camera.push_back(seen.position);
-  }
-  return table;
-}
 
 [[noreturn]] void refuse(const std::string& file, const registration::PairRefusal& refusal) {
   using Fault = registration::PairFault;
@@ -175,7 +83,9 @@ std::string textOf(const registration::PairRegistration& found) {
 
 ExitCode run(const RegisterArguments& arguments) {
   checkOutputs({{"--out", arguments.out}, {"--json", arguments.json}}, {arguments.pairs});
-  const PairTable table = readPairs(arguments);
+  std::optional<vision::Triangulator> triangulator;
+  if (!arguments.cameras.empty()) triangulator.emplace(vision::readRig(arguments.cameras));
+  const auto table = registration::readPairTable(arguments.pairs, triangulator);
   const auto found = registration::registerPairs(table.camera, table.base);
   if (!found) refuse(arguments.pairs, found.error());
   if (!arguments.out.empty()) vision::writeRegistration(found->base_from_camera, arguments.out);

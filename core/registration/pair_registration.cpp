@@ -8,6 +8,7 @@
 #include <optional>
 #include <random>
 
+#include "core/stats/quantile.h"
 #include "core/vision/registration.h"
 
 namespace capstan::registration {
@@ -19,6 +20,7 @@ using Rows = std::vector<std::size_t>;
 constexpr std::size_t kFewest = 4;        // three pairs leave nothing by which to judge one
 constexpr int kTriples = 300;             // P(no triple free of 40 % outliers) = 0.784^300 < 1e-31
 constexpr int kConcentrations = 10;       // steps from a triple; most triples need fewer than five
+constexpr int kTests = 20;                // of the pairs; most sets need fewer than five
 constexpr double kScaleTolerance = 0.03;  // a wrong board or unit changes lengths by more
 constexpr double kMirrorGain = 0.1;       // of the trimmed squares; coplanar points give about 1
 constexpr double kLargestSigma =
@@ -93,10 +95,7 @@ double scaleOf(const Pairs& pairs) {
       const double camera = (pairs.camera[i] - pairs.camera[j]).norm();
       if (camera > 0.0) ratios.push_back((pairs.base[i] - pairs.base[j]).norm() / camera);
     }
-  if (ratios.empty()) return 1.0;
-  const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
-  std::nth_element(ratios.begin(), middle, ratios.end());
-  return *middle;
+  return ratios.empty() ? 1.0 : stats::median(ratios);
 }
 
 bool isMirrored(const Pairs& pairs, double trimmed_sum) {
@@ -124,10 +123,10 @@ Eigen::Matrix<double, 6, 6> cofactorsOf(const Pairs& pairs, const Rows& rows, co
   return information.inverse();
 }
 
-Rows agreeing(const Pairs& pairs, const Eigen::Isometry3d& fit, double variance) {
+Rows agreeing(const Pairs& pairs, const Eigen::Isometry3d& fit, double limit) {
   Rows rows;
   for (std::size_t i = 0; i < pairs.size(); ++i)
-    if (pairs.squared(fit, i) <= variance) rows.push_back(i);
+    if (pairs.squared(fit, i) <= limit) rows.push_back(i);
   return rows;
 }
 
@@ -149,6 +148,24 @@ Rows tested(const Pairs& pairs, const Rows& rows, const Eigen::Isometry3d& fit) 
     if (pairs.squared(fit, i) <= limit * (used ? 1.0 - own : 1.0 + own)) kept.push_back(i);
   }
   return kept;
+}
+
+struct Agreement {
+  Rows rows;
+  Eigen::Isometry3d fit = Eigen::Isometry3d::Identity();  // of these rows
+};
+
+// Fits and tests in turn until a test changes nothing.
+base::Result<Agreement, PairRefusal> agreementFrom(const Pairs& pairs, Rows rows) {
+  for (int round = 0;; ++round) {
+    const auto fit = pairs.fit(rows);
+    if (!fit) return base::failure(PairRefusal{PairFault::kCollinear, 0.0});
+    if (2 * rows.size() <= pairs.size() || rows.size() < kFewest)
+      return base::failure(PairRefusal{PairFault::kNoAgreement, static_cast<double>(rows.size())});
+    Rows next = tested(pairs, rows, *fit);
+    if (next == rows || next.size() < kFewest || round == kTests) return Agreement{rows, *fit};
+    rows = std::move(next);
+  }
 }
 
 double leaveOneOut(const Pairs& pairs, const Rows& rows) {
@@ -196,30 +213,21 @@ base::Result<PairRegistration, PairRefusal> registerPairs(std::span<const Eigen:
                                                           std::span<const Eigen::Vector3d> base) {
   const Pairs pairs{camera, base};
   if (pairs.size() < kFewest || camera.size() != base.size())
-    return tl::unexpected(PairRefusal{PairFault::kTooFewPairs, static_cast<double>(pairs.size())});
+    return base::failure(PairRefusal{PairFault::kTooFewPairs, static_cast<double>(pairs.size())});
   const auto trimmed = fitTrimmed(pairs);
-  if (!trimmed) return tl::unexpected(PairRefusal{PairFault::kCollinear, 0.0});
+  if (!trimmed) return base::failure(PairRefusal{PairFault::kCollinear, 0.0});
   const double scale = scaleOf(pairs);
-  if (std::abs(scale - 1.0) > kScaleTolerance) return tl::unexpected(PairRefusal{PairFault::kScale, scale});
-  if (isMirrored(pairs, trimmed->sum)) return tl::unexpected(PairRefusal{PairFault::kMirrored, 0.0});
-  auto fit = pairs.fit(trimmed->rows);
-  if (!fit) return tl::unexpected(PairRefusal{PairFault::kCollinear, 0.0});
-  // Start: within three median standard deviations per axis, which the test below then corrects.
-  Rows rows = agreeing(pairs, *fit, 27.0 * std::max(trimmed->median, 1e-24) / kMedianOfChiSquare3);
-  for (int round = 0; round < 20; ++round) {
-    fit = pairs.fit(rows);
-    if (!fit) return tl::unexpected(PairRefusal{PairFault::kCollinear, 0.0});
-    if (2 * rows.size() <= pairs.size() || rows.size() < kFewest)
-      return tl::unexpected(PairRefusal{PairFault::kNoAgreement, static_cast<double>(rows.size())});
-    Rows next = tested(pairs, rows, *fit);
-    if (next == rows || next.size() < kFewest) break;
-    rows = std::move(next);
-  }
-  fit = pairs.fit(rows);
-  if (!fit) return tl::unexpected(PairRefusal{PairFault::kCollinear, 0.0});
-  PairRegistration result = registrationOf(pairs, rows, *fit);
-  if (result.sigma > kLargestSigma * spreadOf(rowsOf(base, rows)))
-    return tl::unexpected(PairRefusal{PairFault::kNoAgreement, static_cast<double>(rows.size())});
+  if (std::abs(scale - 1.0) > kScaleTolerance) return base::failure(PairRefusal{PairFault::kScale, scale});
+  if (isMirrored(pairs, trimmed->sum)) return base::failure(PairRefusal{PairFault::kMirrored, 0.0});
+  const auto fit = pairs.fit(trimmed->rows);
+  if (!fit) return base::failure(PairRefusal{PairFault::kCollinear, 0.0});
+  // Start: within three median standard deviations per axis, which the tests then correct.
+  const double start = 27.0 * std::max(trimmed->median, 1e-24) / kMedianOfChiSquare3;
+  const auto found = agreementFrom(pairs, agreeing(pairs, *fit, start));
+  if (!found) return base::failure(found.error());
+  PairRegistration result = registrationOf(pairs, found->rows, found->fit);
+  if (result.sigma > kLargestSigma * spreadOf(rowsOf(base, found->rows)))
+    return base::failure(PairRefusal{PairFault::kNoAgreement, static_cast<double>(found->rows.size())});
   return result;
 }
 
