@@ -20,6 +20,8 @@ void addIdentify(CLI::App& app, ExitCode& exit);
 void addExperiment(CLI::App& app, ExitCode& exit);
 void addCalibrate(CLI::App& app, ExitCode& exit);
 void addRegister(CLI::App& app, ExitCode& exit);
+void addMarker(CLI::App& app, ExitCode& exit);
+void addDetect(CLI::App& app, ExitCode& exit);
 void addInfo(CLI::App& app, ExitCode& exit);
 void addConvert(CLI::App& app, ExitCode& exit);
 void addDevices(CLI::App& app, ExitCode& exit);

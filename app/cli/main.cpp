@@ -62,6 +62,8 @@ int run(int argc, char** argv) {
   cli::addExperiment(app, exit);
   cli::addCalibrate(app, exit);
   cli::addRegister(app, exit);
+  cli::addMarker(app, exit);
+  cli::addDetect(app, exit);
   cli::addInfo(app, exit);
   cli::addConvert(app, exit);
   cli::addReport(app, exit);

@@ -14,6 +14,9 @@ namespace {
 constexpr double kSigmaFloor = 0.04;
 /// Standard deviation of a contour's centroid when no circle could be fitted to the image [px].
 constexpr double kContourSigma = 0.25;
+/// Largest residual of a round marker's edge: absolute [px] and as a share of the radius. The edges of
+/// rendered balls leave 0.1 px at most; those of a red mark on a da Vinci jaw 0.17 to 0.93 px.
+constexpr double kLargestRoundRms = 0.15, kLargestRoundShare = 0.02;
 /// Limits for a marker that the border cuts, by its arc: smallest share of the circle, largest residual [px].
 constexpr double kLeastCutCoverage = 0.3, kLargestCutRms = 0.75;
 
@@ -102,7 +105,9 @@ void MarkerDetector::fillShape(const cv::Mat& bgr, const cv::Rect& roi, const Bl
     return;
   }
   const CircleFit fit = edges_.refine(bgr, start);
-  if (fit.valid) {
+  const bool round = cut || fit.rms <= std::max(kLargestRoundRms, kLargestRoundShare * fit.circle.radius);
+  if (fit.valid && !round) found.sigma = std::max(kContourSigma, fit.rms);
+  if (fit.valid && round) {
     found.centroid = fit.circle.centre;
     found.radius = fit.circle.radius;
     found.sigma = std::hypot(fit.sigma, kSigmaFloor);
