@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cstdlib>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,8 +21,18 @@
 namespace capstan::cli {
 namespace {
 
+constexpr int kFew = 12;  // pairs below which one outlier may pass
+
 struct RegisterArguments {
-  std::string pairs, cameras, out, json;
+  std::string pairs, poses, cameras, out, json;
+  bool exchange = false;
+};
+
+// A table's points and what they give.
+struct Registered {
+  registration::PairPoints points;
+  std::size_t rows = 0;
+  registration::PairRegistration fit;
 };
 
 [[noreturn]] void refuse(const std::string& file, const registration::PairRefusal& refusal) {
@@ -40,58 +52,105 @@ struct RegisterArguments {
     case Fault::kNoAgreement:
       refuseFile(file, fmt::format("{} ({:.0f})", reason, refusal.value),
                  "Check that each row has the same instant and the same point of the tool in both frames");
+    case Fault::kTooClose:
+      refuseFile(file,
+                 fmt::format("{}: the rotation is uncertain by {:.1f}°", reason,
+                             refusal.value * 180.0 / std::numbers::pi),
+                 "Add poses farther apart");
   }
   std::abort();
 }
 
-nlohmann::json jsonOf(const registration::PairRegistration& found) {
-  const Eigen::Quaterniond turn(found.base_from_camera.rotation());
+nlohmann::json jsonOf(const Registered& found) {
+  const auto& fit = found.fit;
+  const Eigen::Quaterniond turn(fit.base_from_camera.rotation());
   nlohmann::json rejected = nlohmann::json::array(), covariance = nlohmann::json::array();
-  for (std::size_t row = 0; row < found.used.size(); ++row)
-    if (!found.used[row]) rejected.push_back(row);
+  nlohmann::json residuals(found.rows, nullptr), skipped = nlohmann::json::array();
+  for (std::size_t i = 0; i < fit.used.size(); ++i) {
+    residuals[found.points.rows[i]] = fit.residuals[i];
+    if (!fit.used[i]) rejected.push_back(found.points.rows[i]);
+  }
+  for (const auto& [row, reason] : found.points.skipped)
+    skipped.push_back({{"row", row}, {"reason", reason}});
   for (int row = 0; row < 6; ++row) {
-    const Eigen::Matrix<double, 1, 6> line = found.covariance.row(row);
+    const Eigen::Matrix<double, 1, 6> line = fit.covariance.row(row);
     covariance.push_back(std::vector<double>(line.data(), line.data() + 6));
   }
   return {{"base_from_camera",
-           {{"position", toJson(found.base_from_camera.translation())},
+           {{"position", toJson(fit.base_from_camera.translation())},
             {"quaternion", {turn.x(), turn.y(), turn.z(), turn.w()}}}},
-          {"rms", found.rms},
-          {"leave_one_out_rms", found.leave_one_out_rms},
-          {"sigma", found.sigma},
+          {"rms", fit.rms},
+          {"leave_one_out_rms", fit.leave_one_out_rms},
+          {"sigma", fit.sigma},
           {"covariance", covariance},
-          {"residuals", found.residuals},
-          {"rows", found.used.size()},
-          {"used", found.used.size() - rejected.size()},
-          {"rejected", rejected}};
+          {"residuals", residuals},
+          {"rows", found.rows},
+          {"used", fit.used.size() - rejected.size()},
+          {"rejected", rejected},
+          {"skipped", skipped}};
 }
 
-std::string textOf(const registration::PairRegistration& found) {
+std::string textOf(const Registered& found) {
+  const auto& fit = found.fit;
   std::string rejected;
   int used = 0;
-  for (std::size_t row = 0; row < found.used.size(); ++row) {
-    used += found.used[row];
-    if (!found.used[row]) rejected += fmt::format("  row {}: {:.2f} mm", row, 1e3 * found.residuals[row]);
+  double at_points = 0.0;
+  for (std::size_t i = 0; i < fit.used.size(); ++i) {
+    used += fit.used[i];
+    if (fit.used[i]) at_points = std::max(at_points, sigmaAt(fit, found.points.pairs[i].camera));
+    if (!fit.used[i])
+      rejected += fmt::format("  row {}: {:.2f} mm", found.points.rows[i], 1e3 * fit.residuals[i]);
   }
-  const auto& position = found.base_from_camera.translation();
-  return fmt::format(
+  const Eigen::Vector3d position = 1e3 * fit.base_from_camera.translation();
+  std::string text = fmt::format(
       "position       {:.3f}, {:.3f}, {:.3f} mm\npairs          {} of {}\nrms            {:.3f} mm\n"
-      "leave-one-out  {:.3f} mm\nrejected     {}\n",
-      1e3 * position.x(), 1e3 * position.y(), 1e3 * position.z(), used, found.used.size(), 1e3 * found.rms,
-      1e3 * found.leave_one_out_rms, rejected.empty() ? "  none" : rejected);
+      "leave-one-out  {:.3f} mm\nσ at the tool  {:.3f} mm or less at these points\nrejected     {}\n",
+      position.x(), position.y(), position.z(), used, found.rows, 1e3 * fit.rms, 1e3 * fit.leave_one_out_rms,
+      1e3 * at_points, rejected.empty() ? "  none" : rejected);
+  for (const auto& [row, reason] : found.points.skipped)
+    text += fmt::format("skipped        row {}: {}\n", row, reason);
+  if (used < kFew)
+    text += fmt::format("{} pairs leave a bad pair hard to recognise; {} or more are better\n", used, kFew);
+  return text;
+}
+
+// Whether the same table with left and right exchanged gives a registration.
+bool fitsExchanged(const std::vector<registration::PairRow>& rows,
+                   const std::optional<vision::Triangulator>& triangulator) {
+  const auto points = registration::pointsOf(registration::exchanged(rows), triangulator);
+  return 2 * points.pairs.size() > rows.size() && registration::registerPairs(points.pairs).has_value();
+}
+
+Registered registered(const RegisterArguments& arguments) {
+  std::optional<vision::Triangulator> triangulator;
+  if (!arguments.cameras.empty()) triangulator.emplace(vision::readRig(arguments.cameras));
+  auto rows = registration::readPairTable(arguments.pairs, arguments.poses);
+  const bool pixels = std::ranges::any_of(rows, [](const auto& row) { return row.pixels.has_value(); });
+  if (pixels && !triangulator)
+    refuseFile(arguments.pairs, "pixels need the calibrated cameras", "Give --cameras FOLDER");
+  if (arguments.exchange) rows = registration::exchanged(std::move(rows));
+  auto points = registration::pointsOf(rows, triangulator);
+  const auto fit = registration::registerPairs(points.pairs);
+  if (fit) return {std::move(points), rows.size(), *fit};
+  if (pixels && fitsExchanged(rows, triangulator))
+    refuseFile(arguments.pairs, "the left and the right pixels are exchanged",
+               arguments.exchange ? "Leave out --exchange" : "Give --exchange, or exchange the columns");
+  if (!points.skipped.empty() && 2 * points.pairs.size() < rows.size())
+    refuseFile(
+        arguments.pairs,
+        fmt::format("{} of {} rows have no pair of points; row {}: {}", points.skipped.size(), rows.size(),
+                    points.skipped.front().row, points.skipped.front().reason),
+        "Add poses in which both cameras see the marker; check that the cameras' calibration is theirs");
+  refuse(arguments.pairs, fit.error());
 }
 
 ExitCode run(const RegisterArguments& arguments) {
-  checkOutputs({{"--out", arguments.out}, {"--json", arguments.json}}, {arguments.pairs});
-  std::optional<vision::Triangulator> triangulator;
-  if (!arguments.cameras.empty()) triangulator.emplace(vision::readRig(arguments.cameras));
-  const auto table = registration::readPairTable(arguments.pairs, triangulator);
-  const auto found = registration::registerPairs(table.camera, table.base);
-  if (!found) refuse(arguments.pairs, found.error());
-  if (!arguments.out.empty()) vision::writeRegistration(found->base_from_camera, arguments.out);
+  checkOutputs({{"--out", arguments.out}, {"--json", arguments.json}}, {arguments.pairs, arguments.poses});
+  const Registered found = registered(arguments);
+  if (!arguments.out.empty()) vision::writeRegistration(found.fit.base_from_camera, arguments.out);
   const Output output(arguments.json);
-  output.text(textOf(*found));
-  output.json(jsonOf(*found));
+  output.text(textOf(found));
+  output.json(jsonOf(found));
   return kOk;
 }
 
@@ -106,13 +165,18 @@ void addRegister(CLI::App& app, ExitCode& exit) {
           "table with the tip in the base frame (x, y, z [m]) and the marker as cam_x, cam_y, cam_z [m]\n"
           "or left_u, left_v, right_u, right_v [px]")
       ->required();
+  command->add_option("--poses", arguments->poses,
+                      "table with x, y, z [m] row by row, where PAIRS has only the marker");
+  command->add_flag("--exchange", arguments->exchange, "take the left pixels as right and the right as left");
   command->add_option("--cameras", arguments->cameras,
                       "folder or file of the calibrated cameras, for pixels");
   command->add_option("--out", arguments->out, "registration file to write (.yaml)");
   command->add_option("--json", arguments->json, "result as JSON: a file, or - for standard output");
   command->footer(
       "Rows are counted from 0, without the header. Outliers are rejected by their residuals.\n"
-      "Example: capstan-cli register pairs.csv --cameras cameras --out registration.yaml");
+      "Examples:\n"
+      "  capstan-cli register pairs.csv --cameras cameras --out registration.yaml\n"
+      "  capstan-cli register centroids.csv --poses poses.csv --cameras cameras --out registration.yaml");
   command->callback([arguments, &exit] { exit = run(*arguments); });
 }
 

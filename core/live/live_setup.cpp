@@ -61,6 +61,7 @@ LiveSetup readLiveSetup(const std::filesystem::path& path) {
   if (!setup.cameras) return setup;
   if (setup.cameras->calibration != kRosCalibration) beside(setup.cameras->calibration);
   beside(setup.cameras->registration);
+  beside(setup.cameras->marker);
   return setup;
 }
 

@@ -52,7 +52,7 @@ inline constexpr const char* kRosCalibration = "ros";
 struct CamerasSetup {
   std::string left, right;
   CameraLayout layout = CameraLayout::kTwo;
-  std::string calibration, registration;
+  std::string calibration, registration, marker;
   double latency = 0.0, pairing = 0.012, rate = 0.0;
   int width = 0, height = 0;
   std::optional<double> exposure, gain, white_balance, focus;
@@ -67,6 +67,7 @@ struct CamerasSetup {
           {"calibration", "",
            "ROS folder, Kalibr or OpenCV file of the cameras, or ros (camera_info beside the images)"});
     field(self.registration, {"registration", "", "registration file; none: register first", {}, false});
+    field(self.marker, {"marker", "", "marker file (colour and shape); none: the green ball", {}, false});
     field(self.latency, {"latency", "s", "from exposure to arrival", {0.0, 2.0}, false});
     field(self.pairing, {"pairing", "s", "largest time between two images of a pair", {0.0, 1.0}, false});
     field(self.rate,

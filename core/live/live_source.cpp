@@ -2,12 +2,15 @@
 
 #include <limits>
 
+#include "core/base/yaml.h"
+#include "core/base/yaml.h"
 #include "core/live/ros_rows.h"
 #include "core/live/streams/address.h"
 #include "core/live/text_rows.h"
 #include "core/ros1/receive_rig.h"
 #include "core/tracking/arrival.h"
 #include "core/vision/cover_image.h"
+#include "core/vision/marker_file.h"
 #include "core/vision/registration_file.h"
 #include "core/vision/rig_file.h"
 
@@ -55,6 +58,7 @@ void LiveSource::readCameras(const CamerasSetup& setup) {
   info_.rig = setup.calibration == kRosCalibration
                   ? ros1::receiveRig(rosTopicOf(setup.left), rosTopicOf(setup.right), kWaitForCalibration)
                   : vision::readRig(setup.calibration);
+  if (!setup.marker.empty()) info_.marker = base::writeYaml(vision::readMarkerFile(setup.marker));
   if (!setup.registration.empty()) info_.base_from_camera = vision::readRegistration(setup.registration);
 }
 

@@ -12,17 +12,24 @@
 namespace capstan::registration {
 
 /// Reason why pairs of points do not determine base_from_camera.
-enum class PairFault { kTooFewPairs, kCollinear, kMirrored, kScale, kNoAgreement };
+enum class PairFault { kTooFewPairs, kCollinear, kMirrored, kScale, kNoAgreement, kTooClose };
+
+/// One point in both frames [m].
+struct PointPair {
+  Eigen::Vector3d camera, base;
+};
 
 struct PairRefusal {
   PairFault fault = PairFault::kTooFewPairs;
-  double value = 0.0;  ///< kScale: length in the base frame over length in the camera frame; else pairs used
+  double value = 0.0;  ///< kScale: length in the base frame over length in the camera frame; kTooClose:
+                       ///< standard deviation of the rotation [rad]; else pairs used
 };
 
 struct PairRegistration {
   Eigen::Isometry3d base_from_camera = Eigen::Isometry3d::Identity();
   /// Covariance of (rotation vector [rad], translation [m]), both in base axes, 6 × 6. The true transform is
-  /// p = exp(θ) R c + t + δt for a point c in the camera frame.
+  /// p = exp(θ) R c + t + δt for a point c in the camera frame. From the covariance of the residuals in
+  /// camera axes, because cameras measure depth worse than the other two.
   Eigen::Matrix<double, 6, 6> covariance = Eigen::Matrix<double, 6, 6>::Zero();
   double sigma = 0.0;              ///< standard deviation of a pair per axis [m]
   double rms = 0.0;                ///< RMS distance of the pairs used [m]
@@ -35,9 +42,12 @@ struct PairRegistration {
 /// pairs that agree. The start is the least trimmed squares fit of random triples (Rousseeuw & Van Driessen
 /// 2006). A pair is rejected where its squared distance exceeds what normal errors give once in a hundred
 /// sets (F distribution, Bonferroni). At least four pairs. Refuses points on one line, frames of unequal
-/// handedness, lengths whose ratio is outside 1 ± 0.03, and sets in which half of the pairs or fewer agree.
-base::Result<PairRegistration, PairRefusal> registerPairs(std::span<const Eigen::Vector3d> camera,
-                                                          std::span<const Eigen::Vector3d> base);
+/// handedness, lengths whose ratio is outside 1 ± 0.03, sets in which half of the pairs or fewer agree, and
+/// points so close together that the rotation is uncertain by more than 3°.
+base::Result<PairRegistration, PairRefusal> registerPairs(std::span<const PointPair> pairs);
+
+/// Standard deviation of the transformed point `camera` [m]: the root of the trace of its covariance [m].
+double sigmaAt(const PairRegistration& registration, const Eigen::Vector3d& camera);
 
 }  // namespace capstan::registration
 
@@ -48,5 +58,6 @@ struct capstan::base::NamesOf<capstan::registration::PairFault> {
                                        std::pair{F::kCollinear, "the points lie on one line"},
                                        std::pair{F::kMirrored, "one frame is mirrored"},
                                        std::pair{F::kScale, "lengths in the two frames differ"},
-                                       std::pair{F::kNoAgreement, "half of the pairs or fewer agree"}};
+                                       std::pair{F::kNoAgreement, "half of the pairs or fewer agree"},
+                                       std::pair{F::kTooClose, "the points are too close together"}};
 };

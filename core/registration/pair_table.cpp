@@ -2,12 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
 #include <span>
-#include <string>
 #include <string_view>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/table_files/read_columns.h"
@@ -19,95 +20,119 @@ using Name = const char*;
 constexpr std::array<Name, 3> kBase = {"x", "y", "z"};
 constexpr std::array<Name, 3> kCamera = {"cam_x", "cam_y", "cam_z"};
 constexpr std::array<Name, 4> kPixels = {"left_u", "left_v", "right_u", "right_v"};
+constexpr std::array<Name, 2> kSigmas = {"left_sigma", "right_sigma"};
 
-struct Columns {
-  std::string file;
-  table_files::TableLines lines;
-  std::map<std::string, std::vector<double>, std::less<>> values;  // of the columns that the table has
+class Columns {
+ public:
+  explicit Columns(const std::filesystem::path& path) : file_(path.string()) {
+    const auto reader = table_files::columnsIn(path);
+    header_ = reader.lines.header();
+    reader.read([&](std::string_view name, std::size_t) -> std::vector<double>* {
+      if (!isKnown(name)) return nullptr;
+      const auto [column, added] = values_.try_emplace(std::string(name));
+      if (!added) refuse(std::string(name), "the column is given twice", "Remove one");
+      return &column->second;
+    });
+  }
 
   bool haveAll(std::span<const Name> names) const {
-    return std::ranges::all_of(names, [&](Name name) { return values.contains(name); });
+    return std::ranges::all_of(names, [&](Name name) { return values_.contains(name); });
   }
   void require(std::span<const Name> names, const std::string& remedy) const {
     for (Name name : names)
-      if (!values.contains(name))
-        throw base::InputError({file, lines.header(), name, {}, "the column is missing", remedy});
+      if (!values_.contains(name)) refuse(name, "the column is missing", remedy);
   }
-  double at(Name name, std::size_t row) const {
-    const double value = values.find(name)->second[row];
-    if (!std::isfinite(value))
-      throw base::InputError(
-          lines.at(file, row, name, fmt::format("{}", value), "is not a finite number", "Remove the row"));
-    return value;
+  [[noreturn]] void refuse(const std::string& column, const std::string& reason,
+                           const std::string& remedy) const {
+    throw base::InputError({file_, header_, column, {}, reason, remedy});
   }
-  Eigen::Vector3d point(const std::array<Name, 3>& names, std::size_t row) const {
-    return {at(names[0], row), at(names[1], row), at(names[2], row)};
+  std::size_t rows() const { return values_.empty() ? 0 : values_.begin()->second.size(); }
+  double at(Name name, std::size_t row) const { return values_.find(name)->second[row]; }
+  std::optional<Eigen::Vector3d> point(const std::array<Name, 3>& names, std::size_t row) const {
+    const Eigen::Vector3d point(at(names[0], row), at(names[1], row), at(names[2], row));
+    if (!point.allFinite()) return std::nullopt;
+    return point;
   }
+  std::optional<StereoPixels> pixels(std::size_t row) const {
+    StereoPixels seen{{at(kPixels[0], row), at(kPixels[1], row)}, {at(kPixels[2], row), at(kPixels[3], row)}};
+    if (haveAll(kSigmas)) {
+      seen.left_sigma = at(kSigmas[0], row);
+      seen.right_sigma = at(kSigmas[1], row);
+    }
+    const bool whole = seen.left.allFinite() && seen.right.allFinite();
+    if (!whole || !(seen.left_sigma > 0.0) || !(seen.right_sigma > 0.0)) return std::nullopt;
+    return seen;
+  }
+
+ private:
+  static bool isKnown(std::string_view name) {
+    const auto has = [&](std::span<const Name> names) {
+      return std::ranges::find(names, name) != names.end();
+    };
+    return has(kBase) || has(kCamera) || has(kPixels) || has(kSigmas);
+  }
+
+  std::string file_;
+  int header_ = 0;
+  std::map<std::string, std::vector<double>, std::less<>> values_;  // of the columns that the table has
 };
-
-bool isKnown(std::string_view name) {
-  const auto has = [&](std::span<const Name> names) { return std::ranges::find(names, name) != names.end(); };
-  return has(kBase) || has(kCamera) || has(kPixels);
-}
-
-Columns readColumns(const std::filesystem::path& path) {
-  const auto reader = table_files::columnsIn(path);
-  Columns columns{path.string(), reader.lines, {}};
-  reader.read([&](std::string_view name, std::size_t) -> std::vector<double>* {
-    if (!isKnown(name)) return nullptr;
-    const auto [column, added] = columns.values.try_emplace(std::string(name));
-    if (!added)
-      throw base::InputError({columns.file,
-                              columns.lines.header(),
-                              std::string(name),
-                              {},
-                              "the column is given twice",
-                              "Remove one"});
-    return &column->second;
-  });
-  return columns;
-}
-
-Eigen::Vector3d triangulated(const Columns& columns, std::size_t row,
-                             const vision::Triangulator& triangulator) {
-  const auto pixel = [&](std::size_t first) {
-    return Eigen::Vector2d(columns.at(kPixels[first], row), columns.at(kPixels[first + 1], row));
-  };
-  const auto seen = triangulator.triangulate(pixel(0), pixel(2), 1.0, 1.0);
-  if (!seen.found())
-    throw base::InputError(columns.lines.at(
-        columns.file, row, "left_u, left_v, right_u, right_v", {},
-        fmt::format("the rays do not meet in front of the cameras ({})", base::nameOf(seen.fault)),
-        "Check whether the left and the right camera are exchanged, or remove the row"));
-  return seen.position;
-}
 
 }  // namespace
 
-PairTable readPairTable(const std::filesystem::path& path,
-                        const std::optional<vision::Triangulator>& triangulator) {
-  const Columns columns = readColumns(path);
-  const bool points = columns.haveAll(kCamera);
-  columns.require(kBase, "Give the tip's position in the base frame as x, y, z [m]");
-  if (!points) {
-    columns.require(kPixels,
-                    "Give the marker as cam_x, cam_y, cam_z [m] or as left_u, left_v, right_u, "
-                    "right_v [px]");
-    if (!triangulator)
-      throw base::InputError({columns.file,
-                              columns.lines.header(),
-                              kPixels[0],
-                              {},
-                              "pixels need the calibrated cameras",
-                              "Give the folder of the cameras"});
+std::vector<PairRow> readPairTable(const std::filesystem::path& pairs, const std::filesystem::path& poses) {
+  const Columns seen(pairs);
+  const std::optional<Columns> others = poses.empty() ? std::nullopt : std::optional<Columns>(poses);
+  const Columns& robot = others ? *others : seen;
+  robot.require(kBase, "Give the tip's position in the base frame as x, y, z [m]");
+  const bool points = seen.haveAll(kCamera);
+  if (!points)
+    seen.require(kPixels,
+                 "Give the marker as cam_x, cam_y, cam_z [m] or as left_u, left_v, right_u, right_v [px]");
+  if (robot.rows() != seen.rows())
+    robot.refuse(kBase[0], fmt::format("{} rows, but {} has {}", robot.rows(), pairs.string(), seen.rows()),
+                 "Give one pose for each row, in the same order");
+  std::vector<PairRow> rows(seen.rows());
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    rows[row].base = robot.point(kBase, row);
+    if (points)
+      rows[row].camera = seen.point(kCamera, row);
+    else
+      rows[row].pixels = seen.pixels(row);
   }
-  PairTable table;
-  const std::size_t rows = columns.values.find(kBase[0])->second.size();
-  for (std::size_t row = 0; row < rows; ++row) {
-    table.base.push_back(columns.point(kBase, row));
-    table.camera.push_back(points ? columns.point(kCamera, row) : triangulated(columns, row, *triangulator));
+  return rows;
+}
+
+PairPoints pointsOf(const std::vector<PairRow>& rows,
+                    const std::optional<vision::Triangulator>& triangulator) {
+  PairPoints points;
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    std::optional<Eigen::Vector3d> camera = rows[row].camera;
+    std::string reason = rows[row].base ? "no marker" : "no tip position";
+    if (rows[row].pixels && triangulator) {
+      const auto& seen = *rows[row].pixels;
+      const auto met = triangulator->triangulate(seen.left, seen.right, seen.left_sigma, seen.right_sigma);
+      if (met.found())
+        camera = met.position;
+      else
+        reason = fmt::format("the rays do not meet ({})", base::nameOf(met.fault));
+    }
+    if (rows[row].base && camera) {
+      points.pairs.push_back({*camera, *rows[row].base});
+      points.rows.push_back(row);
+    } else {
+      points.skipped.push_back({row, reason});
+    }
   }
-  return table;
+  return points;
+}
+
+std::vector<PairRow> exchanged(std::vector<PairRow> rows) {
+  for (PairRow& row : rows) {
+    if (!row.pixels) continue;
+    std::swap(row.pixels->left, row.pixels->right);
+    std::swap(row.pixels->left_sigma, row.pixels->right_sigma);
+  }
+  return rows;
 }
 
 }  // namespace capstan::registration

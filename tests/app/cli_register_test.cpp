@@ -47,5 +47,95 @@ TEST_F(CliRegister, NamesTheFaultAndTheRemedy) {
   EXPECT_THAT(ran.err, HasSubstr("the column is missing"));
 }
 
+// Two cameras side by side, focal length 500 px, 60 mm apart, that see a tip at z = 0.3 m.
+class CliRegisterPixels : public CliRegister {
+ protected:
+  void SetUp() override {
+    fs::create_directories(path("cameras"));
+    for (const std::string side : {"left", "right"}) {
+      const std::string shift = side == "left" ? "0.0" : "-30.0";
+      std::ofstream(path("cameras/" + side + ".yaml"))
+          << "image_width: 640\nimage_height: 480\ncamera_name: " << side
+          << "\ncamera_matrix: {rows: 3, cols: 3, data: [500, 0, 320, 0, 500, 240, 0, 0, 1]}\n"
+             "distortion_model: plumb_bob\n"
+             "distortion_coefficients: {rows: 1, cols: 5, data: [0, 0, 0, 0, 0]}\n"
+             "rectification_matrix: {rows: 3, cols: 3, data: [1, 0, 0, 0, 1, 0, 0, 0, 1]}\n"
+             "projection_matrix: {rows: 3, cols: 4, data: [500, 0, 320, "
+          << shift << ", 0, 500, 240, 0, 0, 0, 1, 0]}\n";
+    }
+    std::ofstream poses(path("poses.csv")), pixels(path("pixels.csv")), swapped(path("swapped.csv"));
+    poses << "pair,x,y,z\n";
+    pixels << "left_image,left_u,left_v,right_u,right_v,reason\n";
+    swapped << "left_u,left_v,right_u,right_v\n";
+    for (int i = 0; i < 16; ++i) {
+      const double x = 0.02 * (i & 3) - 0.03, y = 0.03 * ((i >> 2) & 1), z = 0.3 + 0.03 * (i >> 3);
+      poses << i << ',' << x + 0.1 << ',' << y << ',' << z << "\n";
+      const double u = 320 + 500 * x / z, v = 240 + 500 * y / z, right = u - 30 / z;
+      if (i == 5)
+        pixels << "a.png,,,,,left: too small\n";
+      else
+        pixels << "a.png," << u << ',' << v << ',' << right << ',' << v << ",\n";
+      swapped << right << ',' << v << ',' << u << ',' << v << "\n";
+    }
+  }
+};
+
+TEST_F(CliRegisterPixels, TakesTheTipFromAnotherTableAndSkipsWhatWasNotSeen) {
+  const Ran ran = run("register " + path("pixels.csv") + " --poses " + path("poses.csv") + " --cameras " +
+                      path("cameras") + " --json -");
+  ASSERT_EQ(ran.exit, 0) << ran.err;
+  const auto found = nlohmann::json::parse(ran.out);
+  EXPECT_EQ(found["used"], 15);
+  EXPECT_EQ(found["rows"], 16);
+  EXPECT_EQ(found["skipped"][0]["row"], 5);
+  EXPECT_TRUE(found["residuals"][5].is_null());
+  EXPECT_NEAR(found["base_from_camera"]["position"][0].get<double>(), 0.1, 1e-3);
+}
+
+TEST_F(CliRegisterPixels, NamesExchangedCameras) {
+  const std::string command =
+      "register " + path("swapped.csv") + " --poses " + path("poses.csv") + " --cameras " + path("cameras");
+  const Ran ran = run(command);
+  EXPECT_EQ(ran.exit, 2);
+  EXPECT_THAT(ran.err, HasSubstr("the left and the right pixels are exchanged. Give --exchange"));
+  EXPECT_EQ(run(command + " --exchange").exit, 0);
+}
+
+// One click on the red mark of a da Vinci jaw, then all pairs, then the cameras' transform.
+TEST_F(CliRegister, FromOneClickOnARealMarkToTheTransform) {
+  const auto folder = test::dataFolder() / "davinci-red-marker";
+  if (!fs::exists(folder)) GTEST_SKIP() << folder << " is absent";
+  const std::string data = folder.string();
+  Ran ran = run("marker " + data + "/right05.jpg --at 320,266 --out " + path("marker.yaml"));
+  ASSERT_EQ(ran.exit, 0) << ran.err;
+  ran = run("detect " + data + "/left*.jpg --right " + data + "/right*.jpg --marker " + path("marker.yaml") +
+            " --search frame --out " + path("centroids.csv") + " --json -");
+  ASSERT_EQ(ran.exit, 0) << ran.err;
+  EXPECT_GE(nlohmann::json::parse(ran.out)["detected"], 9);
+  ran = run("register " + path("centroids.csv") + " --poses " + data + "/poses.csv --cameras " + data +
+            " --json -");
+  ASSERT_EQ(ran.exit, 0) << ran.err;
+  const auto found = nlohmann::json::parse(ran.out);
+  EXPECT_GE(found["used"], 9);
+  EXPECT_LE(found["leave_one_out_rms"].get<double>(), 1.2e-3);
+}
+
+TEST_F(CliRegister, MarkerAndDetectRefuseWithTheRemedy) {
+  Ran ran = run("marker " + path("none.png") + " --at 3,4");
+  EXPECT_EQ(ran.exit, 2);
+  EXPECT_THAT(ran.err, HasSubstr("none.png: is not there. Give the path of an image"));
+  std::ofstream(path("text.png")) << "no picture";
+  ran = run("marker " + path("text.png") + " --at 3,4");
+  EXPECT_EQ(ran.exit, 2);
+  EXPECT_THAT(ran.err, HasSubstr("text.png: is not a readable image"));
+  ran = run("detect a.png b.png --right c.png");
+  EXPECT_EQ(ran.exit, 2);
+  EXPECT_THAT(ran.err, HasSubstr("the left camera has 2"));
+  std::ofstream(path("m.yaml")) << "hue_low: 400\n";
+  ran = run("detect " + path("text.png") + " --right " + path("text.png") + " --marker " + path("m.yaml"));
+  EXPECT_EQ(ran.exit, 2);
+  EXPECT_THAT(ran.err, HasSubstr("m.yaml:1: hue_low = 400"));
+}
+
 }  // namespace
 }  // namespace capstan::testing

@@ -45,6 +45,7 @@ class LiveDialogTest : public Shell {
                     .reference = false};
     setup.cameras->left = "/dev/video8", setup.cameras->right = "/dev/video9";
     setup.cameras->calibration = "/somewhere", setup.cameras->registration = "/somewhere/registration.yaml";
+    setup.cameras->marker = "/somewhere/marker.yaml";
     setup.cameras->latency = 0.03, setup.cameras->pairing = 0.005, setup.cameras->rate = 30.0;
     setup.cameras->width = 1280, setup.cameras->height = 720;
     setup.cameras->exposure = 150.0;

@@ -85,8 +85,7 @@ LiveDialog::LiveDialog(QWidget* parent) : QDialog(parent) {
   auto* form = new QFormLayout(general);
   title_ = new QLineEdit;
   addField<live::LiveSetup>(form, tr("Title"), title_, "title");
-  robot_ = addPath(form, tr("Robot file"), meaningOf<live::LiveSetup>("robot"));
-  robot_->setObjectName("robot");
+  robot_ = addPath(form, tr("Robot file"), meaningOf<live::LiveSetup>("robot"), "robot");
   robot_->setPlaceholderText(tr("RAVEN-II, left arm"));
   grid->addWidget(general, 0, 0);
   grid->addWidget(makeMotors(), 1, 0);
@@ -108,12 +107,14 @@ LiveDialog::LiveDialog(QWidget* parent) : QDialog(parent) {
   setSetup(initial);
 }
 
-QLineEdit* LiveDialog::addPath(QFormLayout* form, const QString& label, const QString& tip) {
+QLineEdit* LiveDialog::addPath(QFormLayout* form, const QString& label, const QString& tip,
+                                const QString& name) {
   auto* row = new QWidget;
   auto* line = new QHBoxLayout(row);
   line->setContentsMargins(0, 0, 0, 0);
   auto* edit = new QLineEdit;
   edit->setToolTip(tip);
+  edit->setObjectName(name);
   auto* browse = new QPushButton(tr("Browse…"));
   browse->setAutoDefault(false);
   browse->setAccessibleName(tr("Browse for %1").arg(label));
@@ -169,9 +170,7 @@ QGroupBox* LiveDialog::makeCameras() {
   auto* form = new QFormLayout(cameras_);
   form->setVerticalSpacing(4);
   layout_ = new QComboBox;
-  layout_->addItem(tr("two streams"));
-  layout_->addItem(tr("one stream, left | right"));
-  layout_->addItem(tr("one stream, left above right"));
+  layout_->addItems({tr("two streams"), tr("one stream, left | right"), tr("one stream, left above right")});
   addField<Cameras>(form, tr("Layout"), layout_, "layout");
   connect(layout_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &LiveDialog::fitLayout);
   left_ = editableBox();
@@ -185,11 +184,11 @@ QGroupBox* LiveDialog::makeCameras() {
   rate_ = numberBox(tr(" frames/s"), 1000.0, 0);
   rate_->setSpecialValueText(tr("the device's own"));
   addField<Cameras>(form, tr("Rate"), rate_, "rate");
-  calibration_ = addPath(form, tr("Calibration"), meaningOf<Cameras>("calibration"));
-  calibration_->setObjectName("calibration");
-  registration_ = addPath(form, tr("Registration"), meaningOf<Cameras>("registration"));
-  registration_->setObjectName("registration");
+  calibration_ = addPath(form, tr("Calibration"), meaningOf<Cameras>("calibration"), "calibration");
+  registration_ = addPath(form, tr("Registration"), meaningOf<Cameras>("registration"), "registration");
   registration_->setPlaceholderText(tr("none: register first"));
+  marker_ = addPath(form, tr("Marker"), meaningOf<Cameras>("marker"), "marker");
+  marker_->setPlaceholderText(tr("green ball"));
   latency_ = numberBox(tr(" ms"), 2000.0, 1);
   addField<Cameras>(form, tr("Latency"), latency_, "latency");
   pairing_ = numberBox(tr(" ms"), 1000.0, 1);
@@ -269,6 +268,7 @@ void LiveDialog::setSetup(const live::LiveSetup& setup) {
   rate_->setValue(other_.rate);
   calibration_->setText(QString::fromStdString(other_.calibration));
   registration_->setText(QString::fromStdString(other_.registration));
+  marker_->setText(QString::fromStdString(other_.marker));
   latency_->setValue(other_.latency * kPerSecond);
   pairing_->setValue(other_.pairing * kPerSecond);
   fitLayout();
@@ -297,6 +297,7 @@ live::LiveSetup LiveDialog::setup() const {
   cameras.rate = rate_->value();
   cameras.calibration = calibration_->text().trimmed().toStdString();
   cameras.registration = registration_->text().trimmed().toStdString();
+  cameras.marker = marker_->text().trimmed().toStdString();
   cameras.latency = latency_->value() / kPerSecond;
   cameras.pairing = pairing_->value() / kPerSecond;
   setup.cameras = cameras;

@@ -51,7 +51,7 @@ class LiveDialog : public QDialog {
   QGroupBox* makeMotors();
   QGroupBox* makeCameras();
   QWidget* makeButtons();
-  QLineEdit* addPath(QFormLayout* form, const QString& label, const QString& tip);
+  QLineEdit* addPath(QFormLayout* form, const QString& label, const QString& tip, const QString& name);
   void fillDevices();
   void fitLayout();
   void togglePreview(bool on);
@@ -63,7 +63,7 @@ class LiveDialog : public QDialog {
   bool isAddressOnly() const;
 
   QString file_;  ///< set-up file that the form equals; empty: none
-  QLineEdit *title_, *robot_, *read_as_, *calibration_, *registration_;
+  QLineEdit *title_, *robot_, *read_as_, *calibration_, *registration_, *marker_;
   QComboBox *from_, *left_, *right_, *layout_, *size_;
   std::array<Motor, 3> motors_;
   QCheckBox* reference_;
