@@ -2,9 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cstdlib>
 #include <memory>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,6 +12,7 @@
 #include "app/cli/outputs.h"
 #include "core/registration/pair_registration.h"
 #include "core/registration/pair_table.h"
+#include "core/registration/pair_words.h"
 #include "core/vision/registration_file.h"
 #include "core/vision/rig_file.h"
 #include "core/vision/triangulation.h"
@@ -35,39 +34,14 @@ struct Registered {
   registration::PairRegistration fit;
 };
 
-[[noreturn]] void refuse(const std::string& file, const registration::PairRefusal& refusal) {
-  using Fault = registration::PairFault;
-  const std::string reason(base::nameOf(refusal.fault));
-  switch (refusal.fault) {
-    case Fault::kTooFewPairs:
-      refuseFile(file, reason, "Add poses that span the workspace");
-    case Fault::kCollinear:
-      refuseFile(file, reason, "Add poses away from the line");
-    case Fault::kMirrored:
-      refuseFile(file, reason, "Check the sign of every axis, and whether left and right are exchanged");
-    case Fault::kScale:
-      refuseFile(file,
-                 fmt::format("{}: those of the base frame are {:.4g} times as long", reason, refusal.value),
-                 "Give both in metres; check the size of the calibration board's squares and the base line");
-    case Fault::kNoAgreement:
-      refuseFile(file, fmt::format("{} ({:.0f})", reason, refusal.value),
-                 "Check that each row has the same instant and the same point of the tool in both frames");
-    case Fault::kTooClose:
-      refuseFile(file,
-                 fmt::format("{}: the rotation is uncertain by {:.1f}°", reason,
-                             refusal.value * 180.0 / std::numbers::pi),
-                 "Add poses farther apart");
-  }
-  std::abort();
-}
-
 nlohmann::json jsonOf(const Registered& found) {
   const auto& fit = found.fit;
   const Eigen::Quaterniond turn(fit.base_from_camera.rotation());
   nlohmann::json rejected = nlohmann::json::array(), covariance = nlohmann::json::array();
-  nlohmann::json residuals(found.rows, nullptr), skipped = nlohmann::json::array();
+  nlohmann::json residuals(found.rows, nullptr), shifts = residuals, skipped = nlohmann::json::array();
   for (std::size_t i = 0; i < fit.used.size(); ++i) {
     residuals[found.points.rows[i]] = fit.residuals[i];
+    shifts[found.points.rows[i]] = fit.shifts[i];
     if (!fit.used[i]) rejected.push_back(found.points.rows[i]);
   }
   for (const auto& [row, reason] : found.points.skipped)
@@ -84,6 +58,7 @@ nlohmann::json jsonOf(const Registered& found) {
           {"sigma", fit.sigma},
           {"covariance", covariance},
           {"residuals", residuals},
+          {"shifts", shifts},
           {"rows", found.rows},
           {"used", fit.used.size() - rejected.size()},
           {"rejected", rejected},
@@ -141,7 +116,8 @@ Registered registered(const RegisterArguments& arguments) {
         fmt::format("{} of {} rows have no pair of points; row {}: {}", points.skipped.size(), rows.size(),
                     points.skipped.front().row, points.skipped.front().reason),
         "Add poses in which both cameras see the marker; check that the cameras' calibration is theirs");
-  refuse(arguments.pairs, fit.error());
+  const auto [reason, remedy] = registration::wordsOf(fit.error());
+  refuseFile(arguments.pairs, reason, remedy);
 }
 
 ExitCode run(const RegisterArguments& arguments) {

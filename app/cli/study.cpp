@@ -4,6 +4,7 @@
 #include "app/cli/study_latency.h"
 #include "app/cli/study_monte_carlo.h"
 #include "app/cli/study_motor_failure.h"
+#include "app/cli/study_one_camera.h"
 
 /// `capstan-cli study NAME`: studies of the method, mostly on simulated robots. Each file study_*.cpp
 /// holds one study and adds its subcommand to `study`.
@@ -18,6 +19,7 @@ void addStudy(CLI::App& app, ExitCode& exit) {
   addMotorFailureStudy(*study, exit);
   addLatencyStudy(*study, exit);
   addFilterStudy(*study, exit);
+  addOneCameraStudy(*study, exit);
 }
 
 }  // namespace capstan::cli

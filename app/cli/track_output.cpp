@@ -107,6 +107,9 @@ std::string textOf(const TrackReport& report, const tracking::SourceInfo& info, 
                         nis->mean, nis->band.low, nis->band.high, nis->text());
     if (!nis->passed()) text += fmt::format("               {}\n", nis->advice());
   }
+  if (report.rays > 0)
+    text += fmt::format("one camera     {} samples corrected by the ray of one camera, NIS / 2 {:.3f}\n",
+                        report.rays, report.rayNisMean());
   if (!std::isnan(report.neesMean()))
     text += fmt::format("NEES / 3       {:.3f} of positions against the reference\n", report.neesMean());
   text += transmissionText(report.transmission);
@@ -135,6 +138,8 @@ nlohmann::json jsonOf(const TrackReport& report, const tracking::SourceInfo& inf
           {"nis_consistent", consistent},
           {"nis_verdict", verdict},
           {"nees", report.neesMean()},
+          {"rays", report.rays},
+          {"ray_nis", report.rayNisMean()},
           {"transmission", transmissionJson(report.transmission)},
           {"reference", referenceOf(info)},
           {"samples", report.motor_samples},

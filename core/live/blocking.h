@@ -29,7 +29,9 @@ class Blocking {
   /// the blocking changed.
   bool apply(double t, tracking::Source& source) {
     const bool scheduled = schedule_.blockedAt(t);
-    const std::array<bool, 2> now = {by_hand_[0] || scheduled, by_hand_[1] || scheduled};
+    const std::array<bool, 2> now = {
+        by_hand_[0] || (scheduled && schedule_.cameras != BlockedCameras::kRight),
+        by_hand_[1] || (scheduled && schedule_.cameras != BlockedCameras::kLeft)};
     if (now == blocked_) return false;
     blocked_ = now;
     source.block(now[0], now[1]);

@@ -24,7 +24,10 @@ double OcclusionSchedule::shareUntil(double t) const {
 
 std::string scheduleWords(const OcclusionSchedule& schedule) {
   if (schedule.percentage <= 0.0) return "no schedule";
-  return fmt::format("both cameras blocked {:.0f} % of the time, in intervals of {:.1f} s",
+  return fmt::format("{} blocked {:.0f} % of the time, in intervals of {:.1f} s",
+                     schedule.cameras == BlockedCameras::kBoth
+                         ? "both cameras"
+                         : fmt::format("{} camera", base::nameOf(schedule.cameras)),
                      schedule.percentage, schedule.interval);
 }
 

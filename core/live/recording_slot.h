@@ -54,6 +54,9 @@ class RecordingSlot {
   void setRegistration(double t, const Eigen::Isometry3d& base_from_camera) {
     if (recorder_) recorder_->setRegistration(t, base_from_camera);
   }
+  void setMarker(double t, const std::string& marker) {
+    if (recorder_) recorder_->setMarker(t, marker);
+  }
 
   /// Current recorder, or the last one; null: none yet. Any thread may call it.
   std::shared_ptr<recording::Recorder> newest() const {

@@ -29,6 +29,8 @@ void Runner::stepFrame() { impl_->stepFrame(); }
 void Runner::setSpeed(double speed) { impl_->setSpeed(speed); }
 void Runner::block(bool left, bool right) { impl_->block(left, right); }
 void Runner::setOcclusion(const OcclusionSchedule& schedule) { impl_->setOcclusion(schedule); }
+void Runner::setMarker(const vision::MarkerOptions& marker) { impl_->setMarker(marker); }
+vision::MarkerOptions Runner::marker() const { return impl_->marker(); }
 void Runner::setRegistration(const Eigen::Isometry3d& base_from_camera) {
   impl_->setRegistration(base_from_camera);
 }

@@ -83,6 +83,9 @@ class Runner {
   void block(bool left, bool right);  ///< blocks cameras by hand from now on
   void setOcclusion(const OcclusionSchedule& schedule);
   void setRegistration(const Eigen::Isometry3d& base_from_camera);
+  /// Looks for another marker from the next images on. Recordings store its options.
+  void setMarker(const vision::MarkerOptions& marker);
+  vision::MarkerOptions marker() const;  ///< options in use
   /// Rebuilds the pipeline for `robot` before the next sample; options, registration and declared faults
   /// stay. report() restarts. Later recordings store the robot, and a recording under way gets `note` as
   /// event "robot". Throws base::InputError for a robot that the pipeline does not support; then nothing

@@ -36,7 +36,8 @@ class Runner::Impl {
         tracking_(pipeline_.options()),
         publisher_(RunnerOptions::kHistoryCapacity),
         robot_(pipeline_.robot()),
-        registration_(pipeline_.registration()) {
+        registration_(pipeline_.registration()),
+        marker_(info_.marker) {
     status_.speed = speed_ = options.speed;
     thread_ = std::thread([this] { work(); });
   }
@@ -100,9 +101,24 @@ class Runner::Impl {
     });
   }
 
+  void setMarker(const vision::MarkerOptions& marker) {
+    const std::string text = base::writeYaml(marker);
+    keep(marker_, text);
+    post([this, marker, text] {
+      pipeline_.setMarker(marker);
+      recording_.setMarker(t_, text);
+    });
+  }
+  vision::MarkerOptions marker() const {
+    const std::string text = kept(marker_);
+    return text.empty() ? vision::MarkerOptions{}
+                        : base::readYaml<vision::MarkerOptions>(text, "marker options");
+  }
+
   void setRobot(const robot::Description& robot, const std::string& note) {
     tracking::SourceInfo info = info_;
     info.robot = robot;
+    info.marker = kept(marker_);
     auto next = std::make_shared<tracking::TrackingPipeline>(tracking::makePipeline(info, tracking_));
     keep(robot_, robot);
     post([this, next, note] {
@@ -137,6 +153,7 @@ class Runner::Impl {
     {
       const std::lock_guard lock(mutex_);
       if (registration_) header.base_from_camera = registration_;
+      header.marker = marker_;
       header.robot = base::writeYaml(robot_);
     }
     if (header.tracking.empty()) header.tracking = base::writeYaml(tracking_);
@@ -367,6 +384,7 @@ class Runner::Impl {
   tracking::TrackReport published_report_;
   robot::Description robot_;
   std::optional<Eigen::Isometry3d> registration_;
+  std::string marker_;  ///< options in use as YAML; empty: the defaults
 
   std::thread thread_;
 };

@@ -28,6 +28,7 @@ struct Message {
   std::int64_t seq = 0;
   SessionEvent event;
   std::optional<Eigen::Isometry3d> registration;
+  std::optional<std::string> marker;  ///< marker options as YAML
 };
 
 /// Number of slots of a queue for `time` seconds at `rate` rows per second.

@@ -88,9 +88,10 @@ class Recorder::Impl {
     return hand(*slot);
   }
 
-  void note(SessionEvent event, std::optional<Eigen::Isometry3d> registration) {
+  void note(SessionEvent event, std::optional<Eigen::Isometry3d> registration = {},
+            std::optional<std::string> marker = {}) {
     const std::lock_guard lock(mutex_);
-    messages_.push_back({seq_.fetch_add(1), std::move(event), std::move(registration)});
+    messages_.push_back({seq_.fetch_add(1), std::move(event), std::move(registration), std::move(marker)});
   }
 
   void close() {
@@ -190,6 +191,7 @@ class Recorder::Impl {
       for (const Message& message : messages) {
         writer_.write(message.seq, message.event);
         if (message.registration) writer_.setRegistration(*message.registration);
+        if (message.marker) writer_.setMarker(*message.marker);
       }
       cut_short_ = false;
       while (const Record* record = records_.front()) {
@@ -363,10 +365,13 @@ Recorder::~Recorder() = default;
 bool Recorder::offer(const tracking::Sample& sample) { return impl_->offer(sample); }
 bool Recorder::offer(const tracking::Snapshot& snapshot) { return impl_->offer(snapshot); }
 void Recorder::note(double t, std::string kind, std::string text) {
-  impl_->note({t, std::move(kind), std::move(text)}, std::nullopt);
+  impl_->note({t, std::move(kind), std::move(text)});
 }
 void Recorder::setRegistration(double t, const Eigen::Isometry3d& base_from_camera) {
   impl_->note({t, "registration", formatPose(base_from_camera)}, base_from_camera);
+}
+void Recorder::setMarker(double t, const std::string& marker) {
+  impl_->note({t, "marker", "new colour limits"}, std::nullopt, marker);
 }
 void Recorder::close() { impl_->close(); }
 RecorderStats Recorder::stats() const { return impl_->stats(); }

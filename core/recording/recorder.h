@@ -82,6 +82,8 @@ class Recorder {
   void note(double t, std::string kind, std::string text);
   /// Stores a registration made while recording, as header entry and event.
   void setRegistration(double t, const Eigen::Isometry3d& base_from_camera);
+  /// Stores marker options (YAML) chosen while recording, as header entry; the event has their time.
+  void setMarker(double t, const std::string& marker);
 
   /// Writes the queued rows, moves the log into the file and ends the thread. Idempotent.
   void close();

@@ -222,6 +222,8 @@ void SessionWriter::setRegistration(const Eigen::Isometry3d& base_from_camera) {
   put("registration", formatPose(base_from_camera));
 }
 
+void SessionWriter::setMarker(const std::string& marker) { put("marker", marker); }
+
 bool SessionWriter::finish() {
   constexpr int kPatience = 200;  // [ms]; the log stays if a reader's transaction takes longer
   insert_ = {};

@@ -42,6 +42,7 @@ class SessionWriter {
   void write(std::int64_t seq, const EstimateRow& row);
   void write(std::int64_t seq, const SessionEvent& event);
   void setRegistration(const Eigen::Isometry3d& base_from_camera);
+  void setMarker(const std::string& marker);
 
   /// Moves the write-ahead log into the file and deletes the log; this needs no space on the disk. True: the
   /// session is now a single file. False: another connection reads the session, and the complete log stays

@@ -198,16 +198,26 @@ base::Result<Agreement, PairRefusal> agreementFrom(const Pairs& pairs, Rows rows
   }
 }
 
-double leaveOneOut(const Pairs& pairs, const Rows& rows) {
+double largestShift(const Pairs& pairs, const Rows& rows, const Eigen::Isometry3d& from,
+                    const Eigen::Isometry3d& to) {
+  double largest = 0.0;
+  for (std::size_t row : rows)
+    largest = std::max(largest, (to * pairs.all[row].camera - from * pairs.all[row].camera).norm());
+  return largest;
+}
+
+// Fits the rows without each in turn.
+void leaveOneOut(const Pairs& pairs, const Rows& rows, PairRegistration& result) {
+  result.shifts.assign(pairs.size(), 0.0);
   double sum = 0.0;
   for (std::size_t k = 0; k < rows.size(); ++k) {
     Rows others = rows;
     others.erase(others.begin() + static_cast<std::ptrdiff_t>(k));
     const auto fit = pairs.fit(others);
-    if (!fit) return std::nan("");
-    sum += pairs.squared(*fit, rows[k]);
+    sum += fit ? pairs.squared(*fit, rows[k]) : std::nan("");
+    result.shifts[rows[k]] = fit ? largestShift(pairs, rows, result.base_from_camera, *fit) : std::nan("");
   }
-  return std::sqrt(sum / static_cast<double>(rows.size()));
+  result.leave_one_out_rms = std::sqrt(sum / static_cast<double>(rows.size()));
 }
 
 // RMS distance of the points in the base frame from their mean, per axis.
@@ -259,7 +269,7 @@ PairRegistration registrationOf(const Pairs& pairs, const Rows& rows, const Eige
   result.rms = std::sqrt(sum / count);
   result.sigma = std::sqrt(sum / (3.0 * count - 6.0));
   result.covariance = covarianceOf(pairs, rows, fit, result.sigma);
-  result.leave_one_out_rms = leaveOneOut(pairs, rows);
+  leaveOneOut(pairs, rows, result);
   return result;
 }
 

@@ -36,6 +36,8 @@ struct PairRegistration {
   double leave_one_out_rms = 0.0;  ///< RMS distance of each pair used from the fit of the others [m]
   std::vector<double> residuals;   ///< distance of every pair from the fit [m]
   std::vector<bool> used;          ///< false: rejected as an outlier
+  /// Largest displacement, at any pair used, of the fit without this pair [m]; 0 for a rejected pair.
+  std::vector<double> shifts;
 };
 
 /// Computes base_from_camera from the same points in both frames [m] by least squares (Kabsch 1976) over the

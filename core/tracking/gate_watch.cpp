@@ -13,7 +13,7 @@ std::optional<std::string> GateWatch::observe(const Snapshot& snapshot) {
     const std::string_view reason = gateWords(snapshot);
     if (snapshot.t - *shut_since_ < kBlink || reason_ == reason) return {};
     reason_ = reason;
-    return fmt::format("camera not used: {}", reason);
+    return fmt::format("{}{}", snapshot.ray_used ? "" : "camera not used: ", reason);
   }
   const std::optional<double> since = std::exchange(shut_since_, std::nullopt);
   if (!std::exchange(reason_, std::nullopt)) return {};

@@ -16,6 +16,10 @@ enum class CameraNoiseKind { kPixels, kConstant };
 /// alone as in the UKF paper.
 enum class FilterKind { kAugmented, kSixState };
 
+/// What is observed while only one camera sees the marker: transmission kinematics (UKF paper, section V-D:
+/// hard switch), or the ray of the other camera, which is a measurement of two numbers.
+enum class OneCamera { kKinematics, kRay };
+
 /// Settings of the tracking pipeline, except those of the robot and the cameras. Joint vectors are in rad,
 /// rad, m; σ is a standard deviation. resources/tracking/default.yaml holds the same values.
 struct TrackingOptions {
@@ -27,6 +31,7 @@ struct TrackingOptions {
   Eigen::Vector3d initial_velocity_sigma{0.1, 0.1, 0.02};  ///< [rad/s, rad/s, m/s]
   Eigen::Vector3d kinematic_sigma{0.02, 0.01, 0.001};      ///< σ of q_kin when it replaces the camera
   CameraNoiseKind camera_noise = CameraNoiseKind::kPixels;
+  OneCamera one_camera = OneCamera::kKinematics;
   double registration_rotation_sigma = 0.01;  ///< σ of the cameras' rotation about each axis [rad]
   double registration_shift_sigma = 1e-3;     ///< σ of the cameras' shift along each axis, from sag [m]
   double camera_clock_sigma = 1e-3;           ///< σ of a camera time stamp [s]
@@ -107,6 +112,8 @@ struct TrackingOptions {
                                  false});
     field(self.camera_noise,
           {"camera_noise", "", "pixels: from its sources; constant: as in the UKF paper", {}, false});
+    field(self.one_camera,
+          {"one_camera", "", "while one camera is blocked: kinematics, or ray of the other one", {}, false});
     field(self.registration_rotation_sigma, {"registration_rotation_sigma",
                                              "rad",
                                              "sigma of the cameras' rotation about each axis",
@@ -265,6 +272,11 @@ inline TrackingOptions readTrackingOptions(const std::filesystem::path& path) {
 
 }  // namespace capstan::tracking
 
+template <>
+struct capstan::base::NamesOf<capstan::tracking::OneCamera> {
+  using O = capstan::tracking::OneCamera;
+  static constexpr std::array value = {std::pair{O::kKinematics, "kinematics"}, std::pair{O::kRay, "ray"}};
+};
 template <>
 struct capstan::base::NamesOf<capstan::tracking::CameraNoiseKind> {
   using K = capstan::tracking::CameraNoiseKind;

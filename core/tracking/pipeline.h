@@ -49,6 +49,9 @@ class TrackingPipeline {
   void setRegistration(const Eigen::Isometry3d& base_from_camera);
   const std::optional<Eigen::Isometry3d>& registration() const;
 
+  /// Looks for another marker from the next images on.
+  void setMarker(const vision::MarkerOptions& marker);
+
   /// Declares the encoder of motor 0, 1 or 2 failed (it is ignored) or working (it is used again), whatever
   /// was detected.
   void setMotorFailed(int motor, bool failed);

@@ -10,7 +10,8 @@ using Eigen::Vector3d;
 using estimation::Lower;
 
 constexpr double kReferenceHold =
-    2.5e-3;  // [s], how long the newest reference stands for what comes after it
+    2.5e-3;                        // [s], how long the newest reference stands for what comes after it
+constexpr double kAlongRay = 0.3;  // [m], much more than the filter's own standard deviation
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
@@ -35,6 +36,10 @@ void TrackingPipeline::Impl::take(const StereoFrame& frame) {
       else
         snapshot_.gate = Gate::kUnregistered;
     }
+  } else if (options_.one_camera == OneCamera::kRay && base_from_camera_ &&
+             snapshot_.gate != Gate::kBothLost) {
+    const int side = snapshot_.gate == Gate::kLeftLost ? 1 : 0;
+    observeRay(stereo_->ray(side), *base_from_camera_);
   }
   endCamera();
 }
@@ -56,6 +61,7 @@ double TrackingPipeline::Impl::exposureOf(double stamp) const {
 void TrackingPipeline::Impl::beginCamera(double t, double t_arrival, bool images) {
   snapshot_.camera_updated = true;
   snapshot_.camera_images = images;
+  snapshot_.ray_used = false;
   ++snapshot_.camera_samples;
   snapshot_.t_cam = t;
   snapshot_.latency = t_arrival - t;
@@ -121,6 +127,45 @@ void TrackingPipeline::Impl::observeTip(const Vector3d& tip, const Matrix3d& cov
   last_seen_ = std::max(last_seen_, t);
 }
 
+// The point of the ray nearest to the estimate, with a variance along the ray that leaves that coordinate to
+// the filter: its innovation has two numbers.
+void TrackingPipeline::Impl::observeRay(const vision::CameraRay& ray,
+                                        const Eigen::Isometry3d& base_from_camera) {
+  const double t = snapshot_.t_cam;
+  const auto kinematic = kinematicAt(t);
+  const auto state = filter_.at(t);
+  if (!started_ || !kinematic || !state || watch_.unknown() != 0) return;
+  const Filter::State mean = (*state)->mean();
+  const Vector3d q(mean(0), mean(2), mean(4)), speed(mean(1), mean(3), mean(5));
+  const Vector3d expected = base_from_camera.inverse() * cameras_.measured(arm_.tip(q));
+  const Matrix3d rotation = base_from_camera.linear();
+  const Vector3d tip = cameras_.point(base_from_camera * ray.nearest(expected));
+  const Matrix3d covariance = cameras_.covariance(rotation * ray.covariance(expected) * rotation.transpose());
+  auto seen = observeJoints(arm_, tip, noise_.ofImagedTip(tip, covariance), q);
+  if (!seen) return;
+  seen->covariance = noise_.ofJoints(*seen, speed);
+  const Vector3d direction = rotation * ray.direction;
+  std::optional<TransmissionEstimator::Observation> slow;
+  if (slow_) {
+    slow = slowObservation(t, tip, noise_.pixels().ratio() * covariance, mean, *kinematic);
+    slow->open = kAlongRay * kAlongRay * direction * direction.transpose();
+    seen->position -= slow_->residual(*slow);
+  }
+  const Vector3d along = arm_.tipJacobian(q).inverse() * direction;
+  seen->covariance += kAlongRay * kAlongRay * along * along.transpose();
+  const Lower<3> root = rootOf(seen->covariance);
+  snapshot_.ray_nis =
+      slow ? slow_->innovation(*slow).nis : filter_.peek(t, positions_, seen->position, root)->nis;
+  if (!ray_jump_.accept(t, snapshot_.ray_nis, seen->position - corrected(*kinematic), seen->covariance))
+    return;
+  if (slow && t >= corrected_since_) {
+    const MotorCorrection before = slow_->correction();
+    slow_->addRay(*slow);
+    correctSince(t, before);
+  }
+  snapshot_.ray_used = filter_.update(t, positions_, seen->position, root).has_value();
+}
+
 TransmissionEstimator::Observation TrackingPipeline::Impl::slowObservation(double t, const Vector3d& tip,
                                                                            const Matrix3d& white,
                                                                            const Filter::State& mean,
@@ -130,7 +175,8 @@ TransmissionEstimator::Observation TrackingPipeline::Impl::slowObservation(doubl
           white,
           Vector3d(mean(0), mean(2), mean(4)),
           Vector3d(mean(1), mean(3), mean(5)),
-          motors_.transmission().linkTravel(kinematic)};
+          motors_.transmission().linkTravel(kinematic),
+          Matrix3d::Zero()};
 }
 
 void TrackingPipeline::Impl::learnTransmission(const TransmissionEstimator::Observation& seen) {
@@ -175,7 +221,7 @@ bool TrackingPipeline::Impl::accept(double t, double nis, const JointObservation
 }
 
 void TrackingPipeline::Impl::endCamera() {
-  if (snapshot_.gate == Gate::kOpen || observeKinematics(snapshot_.t_cam))
+  if (snapshot_.gate == Gate::kOpen || snapshot_.ray_used || observeKinematics(snapshot_.t_cam))
     last_camera_ = snapshot_.t;
   else if (started_)
     ++snapshot_.late_dropped;

@@ -49,6 +49,8 @@ class TrackingPipeline::Impl {
         noise_(numbers_, options),
         jump_(stats::chiSquareQuantile(3, options.gate_probability), options.jump_samples, options.jump_drift,
               options.jump_tolerance),
+        ray_jump_(stats::chiSquareQuantile(2, options.gate_probability), options.jump_samples,
+                  options.jump_drift, options.jump_tolerance),
         nis_(3, options.nis_window),
         reference_(memorySize(options)),
         snapshot_(emptySnapshot()) {
@@ -67,12 +69,21 @@ class TrackingPipeline::Impl {
     nis_.reset();
   }
 
+  /// Pixel noise and NIS are those of the marker.
+  void setMarker(const vision::MarkerOptions& marker) {
+    if (!rig_) return;
+    stereo_.emplace(*rig_, marker, options_.full_frame_search);
+    noise_.reset();
+    nis_.reset();
+  }
+
   void reset() {
     if (slow_) slow_->reset();
     watch_.clear();
     motors_.clear();
     reference_.clear();
     jump_.reset();
+    ray_jump_.reset();
     noise_.reset();
     nis_.reset();
     corrected_since_ = -std::numeric_limits<double>::infinity();
@@ -86,6 +97,7 @@ class TrackingPipeline::Impl {
     snapshot_.motor_failed = watch_.faults();
     if (failed && started_) forget(1U << motor, snapshot_.t);
     jump_.reset();
+    ray_jump_.reset();
   }
 
   const Snapshot& step(const Sample& sample) {
@@ -113,6 +125,8 @@ class TrackingPipeline::Impl {
   double exposureOf(double stamp) const;
   void beginCamera(double t, double t_arrival, bool images);
   void observeImagedTip(const vision::Triangulation& found, const Eigen::Isometry3d& base_from_camera);
+  /// Observes the ray of one camera while the other does not see the marker. Nothing without all motors.
+  void observeRay(const vision::CameraRay& ray, const Eigen::Isometry3d& base_from_camera);
   /// Converts a tip in frame 0 to q_cam, applies the gate and updates the filter. `covariance` is that of the
   /// tip's error, `white` that of the part that is independent in each frame [m²].
   void observeTip(const Vector3d& tip, const Matrix3d& covariance, const Matrix3d& white);
@@ -198,6 +212,7 @@ class TrackingPipeline::Impl {
     cables_before_ = RememberedCables(control());
     filter_.reset(t, mean, diagonalOf(position_sigma, velocity_sigma), control());
     jump_.reset();
+    ray_jump_.reset();
     last_camera_ = last_kinematic_ = last_seen_ = t;
     started_ = true;
   }
@@ -211,6 +226,7 @@ class TrackingPipeline::Impl {
           forgetJoints(set, options_.jump_tolerance, options_.unknown_speed, mean, root);
         });
     jump_.reset();
+    ray_jump_.reset();
   }
 
   /// q_kin of the known motors, with `reference` in place of the unknown ones.
@@ -308,6 +324,7 @@ class TrackingPipeline::Impl {
   const JointMeasurement positions_ = positionsOnly();
   CameraNoise noise_;
   JumpGate jump_;
+  JumpGate ray_jump_;  ///< the same for the ray of one camera, which two numbers measure
   estimation::ConsistencyWindow nis_;
   TimeSeries reference_;
   Snapshot snapshot_;

@@ -64,6 +64,10 @@ struct Snapshot {
   Eigen::Vector3d tip_cam, tip_kin, tip_ukf;  ///< in frame 0 [m]
   Eigen::Matrix3d tip_ukf_covariance;         ///< [m²]
   Gate gate = Gate::kNoCamera;
+  /// The newest camera sample had the marker in one image only, and its ray was observed
+  /// (TrackingOptions::one_camera).
+  bool ray_used = false;
+  double ray_nis = 0.0;  ///< NIS of that update: chi-square, 2 degrees of freedom
 
   TransmissionEstimate transmission;  ///< estimate of the augmented filter; else empty
 
@@ -107,6 +111,7 @@ inline bool tipAlone(const Snapshot& s) { return s.camera_samples > 0 && !s.came
 
 /// Name of the gate's state, in words for images or for tips.
 inline std::string_view gateWords(const Snapshot& s) {
+  if (s.ray_used) return s.gate == Gate::kLeftLost ? "right camera alone" : "left camera alone";
   if (tipAlone(s)) {
     if (s.gate == Gate::kBothLost) return "tip not seen";
     if (s.gate == Gate::kNoCamera) return "no tips";

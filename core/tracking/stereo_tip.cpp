@@ -41,6 +41,10 @@ Gate StereoTip::gate() const {
   return markers_[1].found() ? Gate::kLeftLost : Gate::kBothLost;
 }
 
+vision::CameraRay StereoTip::ray(int side) const {
+  return vision::rayThrough(rig_, side, markers_[static_cast<std::size_t>(side)]);
+}
+
 vision::Triangulation StereoTip::triangulate() const {
   return triangulator_.triangulate(markers_[0].centroid, markers_[1].centroid, markers_[0].sigma,
                                    markers_[1].sigma);

@@ -7,6 +7,7 @@
 #include "core/tracking/sample.h"
 #include "core/tracking/snapshot.h"
 #include "core/vision/camera.h"
+#include "core/vision/camera_ray.h"
 #include "core/vision/marker.h"
 #include "core/vision/marker_detector.h"
 #include "core/vision/triangulation.h"
@@ -26,6 +27,8 @@ class StereoTip {
   const std::array<vision::MarkerDetection, 2>& markers() const { return markers_; }
   /// kOpen when both images hold a marker, else the gate that names the lost one.
   Gate gate() const;
+  /// Line of sight of one camera, whose marker must have been found.
+  vision::CameraRay ray(int side) const;
   /// Position [m] and covariance [m²] in the left camera's frame. Both markers must have been found.
   vision::Triangulation triangulate() const;
 

@@ -32,6 +32,10 @@ void TrackReport::add(const Snapshot& snapshot) {
   ++camera_samples;
   ++gates[static_cast<std::size_t>(snapshot.gate)];
   if (snapshot.gate == Gate::kOpen) nis_sum += snapshot.nis;
+  if (snapshot.ray_used) {
+    ++rays;
+    ray_nis_sum += snapshot.ray_nis;
+  }
   if (!snapshot.camera_images) return;
   ++frames;
   for (std::size_t side = 0; side < 2; ++side) {
@@ -52,6 +56,8 @@ double TrackReport::detectionRate(int side) const {
 double TrackReport::nisMean() const {
   return ratio(nis_sum / 3.0, gates[static_cast<std::size_t>(Gate::kOpen)]);
 }
+
+double TrackReport::rayNisMean() const { return ratio(ray_nis_sum / 2.0, rays); }
 
 double TrackReport::neesMean() const { return ratio(nees_sum / 3.0, nees_count); }
 

@@ -24,6 +24,8 @@ struct TrackReport {
   std::uint64_t frames = 0;                   ///< number of camera samples with images
   double first_t = 0.0, last_t = 0.0;         ///< time of the first and last motor sample [s]
   double nis_sum = 0.0;                       ///< sum of NIS over accepted camera samples
+  std::uint64_t rays = 0;                     ///< updates with the ray of one camera
+  double ray_nis_sum = 0.0;                   ///< sum of their NIS
   double nees_sum = 0.0;                      ///< sum of NEES over paired references
   std::uint64_t nees_count = 0;
   std::uint64_t rescues = 0, late_dropped = 0;
@@ -37,6 +39,7 @@ struct TrackReport {
   double gateShare(Gate gate) const;     ///< share of camera samples; NaN without any
   double detectionRate(int side) const;  ///< share of frames with a marker, 0 left, 1 right
   double nisMean() const;   ///< mean NIS of accepted camera samples over its 3 degrees of freedom; NaN: none
+  double rayNisMean() const;  ///< mean NIS of the ray updates over their 2 degrees of freedom; NaN: none
   double neesMean() const;  ///< mean position NEES over its 3 degrees of freedom; NaN: no reference
 
  private:

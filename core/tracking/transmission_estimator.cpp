@@ -121,7 +121,7 @@ auto TransmissionEstimator::reading(const Observation& seen) const -> Reading {
       jacobian * joints_from_travel_ * stretch.asDiagonal(), -cross(seen.tip - hard_stop_),
       Matrix3d::Identity(), seen.tip - hard_stop_, -jacobian * seen.dq;
   reading.z = seen.tip - arm_.tip(seen.q) + reading.h * used_;
-  reading.white = white_.value(seen.noise);
+  reading.white = white_.value(seen.noise) + seen.open;
   reading.cables = jacobian * options_.cable_error.cwiseAbs2().asDiagonal() * jacobian.transpose();
   return reading;
 }
@@ -148,6 +148,12 @@ void TransmissionEstimator::judgeFit(const Reading& reading) {
   if (std::isfinite(nis)) misfit_ += (std::min(nis, kOutlier) - misfit_) / options_.nis_window;
 }
 
+void TransmissionEstimator::addRay(const Observation& seen) {
+  if (segment_.count > 0 && seen.t - segment_start_ > kLongestSegment) closeSegment();
+  passTime(seen.t);
+  accumulate(seen.t, reading(seen));
+}
+
 void TransmissionEstimator::add(const Observation& seen) {
   if (segment_.count > 0 && seen.t - segment_start_ > kLongestSegment) closeSegment();
   const Reading reading = this->reading(seen);
@@ -156,7 +162,11 @@ void TransmissionEstimator::add(const Observation& seen) {
   share_.add(innovation.nis / 3.0);
   judgeFit(reading);
   passTime(seen.t);
-  if (segment_.count == 0) segment_start_ = seen.t;
+  accumulate(seen.t, reading);
+}
+
+void TransmissionEstimator::accumulate(double t, const Reading& reading) {
+  if (segment_.count == 0) segment_start_ = t;
   const double times = 2.0 * options_.cable_error_time / options_.camera_period;
   (void)segment_.add<3>(reading.h, reading.z, reading.white + times * reading.cables, regression_.sigma());
   // The first segments are short: with little information, there is nothing yet to compare a change with.

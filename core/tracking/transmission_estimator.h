@@ -48,6 +48,8 @@ class TransmissionEstimator {
     Eigen::Matrix3d noise;   ///< stated covariance of the tip's white noise [m²]
     Eigen::Vector3d q, dq;   ///< estimate at t with the correction in use [rad, rad, m], [rad/s, rad/s, m/s]
     Eigen::Vector3d travel;  ///< cable travel s_m of the motors at t, without correction [m]
+    /// Covariance of a coordinate that was not measured, as along the ray of one camera [m²].
+    Eigen::Matrix3d open = Eigen::Matrix3d::Zero();
   };
   struct Innovation {
     Eigen::Vector3d value;  ///< innovation of the tip [m]
@@ -67,6 +69,9 @@ class TransmissionEstimator {
   Innovation innovation(const Observation& seen) const;
   /// Adds an accepted observation. The correction changes when the observation closes a segment.
   void add(const Observation& seen);
+  /// Adds a point on the ray of one camera. Such points do not judge the noise or the fit, because they
+  /// measure two numbers.
+  void addRay(const Observation& seen);
   /// Discounts the estimates for the time until t [s] without camera observations.
   void age(double t);
 
@@ -110,6 +115,7 @@ class TransmissionEstimator {
   Eigen::Vector3d travelOf(const Eigen::Vector3d& q_kin) const;
   Eigen::Vector3d correctedTravel(const Eigen::Vector3d& travel) const;
   void judgeFit(const Reading& reading);
+  void accumulate(double t, const Reading& reading);
   void passTime(double t);
   void closeSegment();
   void expectChange(int kind);

@@ -113,7 +113,7 @@ TEST_F(CliRos, WithoutMotorsABagIsRefusedWithItsTopics) {
 /// what the session publishes.
 TEST_F(CliRos, ARobotThatPublishesTopicsIsTracked) {
   if (lacks("rosmaster")) GTEST_SKIP() << "ROS 1 is not installed";
-  ASSERT_EQ(run("simulate --duration 4 --seed 3 --out " + path("trial.capstan")).exit, 0);
+  ASSERT_EQ(run("simulate --duration 9 --seed 3 --out " + path("trial.capstan")).exit, 0);
   const Ran direct = run("track " + path("trial.capstan") + " --save-registration " +
                          path("registration.yaml") + " --json -");
   ASSERT_EQ(direct.exit, 0) << direct.err;
@@ -123,18 +123,18 @@ TEST_F(CliRos, ARobotThatPublishesTopicsIsTracked) {
   runShell("export ROS_HOSTNAME=localhost ROS_MASTER_URI=http://localhost:" + port +
            "; (rosmaster --core -p " + port + " & master=$!; sleep 1; " + program + " play " +
            path("trial.capstan") + " --to ros & " + program + " track --live " + path("ros.yaml") +
-           " --publish /capstan --duration 3.5 --out " + path("live.csv") + " --json " + path("live.json") +
+           " --publish /capstan --duration 8 --out " + path("live.csv") + " --json " + path("live.json") +
            " & tracking=$!; timeout 20 rosbag record -O " + path("out.bag") +
-           " --duration 5 /capstan/measured_js /capstan/measured_cp; wait $tracking; " +
+           " --duration 10 /capstan/measured_js /capstan/measured_cp; wait $tracking; " +
            "kill $master; wait) >/dev/null 2>&1");
   ASSERT_TRUE(fs::exists(path("live.json")));
   const json live = json::parse(textOf("live.json")), recorded = json::parse(direct.out);
   const json motors = live["live"][0], cameras = live["live"][1];
   EXPECT_EQ(motors["dropped"], 0);
-  EXPECT_NEAR(motors["received"], 3500, 100);
+  EXPECT_NEAR(motors["received"], 8000, 300);
   EXPECT_EQ(cameras["dropped"], 0);
-  EXPECT_GT(live["camera_samples"], 30);
-  EXPECT_GT(live["references"], 3000);
+  EXPECT_GT(live["camera_samples"], 80);
+  EXPECT_GT(live["references"], 7500);
   for (int joint = 0; joint < 3; ++joint)
     EXPECT_LT(live["rms"]["ukf"][joint], recorded["rms"]["kin"][joint]) << joint;  // the cameras correct it
 

@@ -111,7 +111,9 @@ TEST_F(LiveDialogTest, PreviewsImagesAndMotorsThatMove) {
   std::thread robot([&] {
     std::unique_ptr<live::TcpSender> sender;
     for (int k = 0; !quit; ++k) {
-      cameras.publish({480, 640, CV_8UC3, cv::Scalar(0, 0, 200)}, {480, 640, CV_8UC3, cv::Scalar(200, 0, 0)});
+      const int noise = k % 40;  // without it the cameras are frozen
+      cameras.publish({480, 640, CV_8UC3, cv::Scalar(noise, 0, 200)},
+                      {480, 640, CV_8UC3, cv::Scalar(200, 0, noise)});
       try {
         if (!sender) {
           sender = std::make_unique<live::TcpSender>(live::parseAddress(setup.motors.from, "from"));

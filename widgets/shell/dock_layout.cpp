@@ -1,6 +1,7 @@
 #include "widgets/shell/dock_layout.h"
 
 #include <QDockWidget>
+#include <QEvent>
 #include <QMainWindow>
 #include <QStyle>
 #include <QTabBar>
@@ -14,7 +15,38 @@ constexpr int kRoomForAll = 950;  ///< height below which identification and not
 constexpr int kBars = 160;        ///< menus, toolbar, status line, tabs and gaps, about [px]
 constexpr int kRoomForTwo = 680;  ///< height below which all panels of a side are tabs of one place [px]
 
+/// Moves a dock over the central widget when it is first shown.
+class FirstPlace : public QObject {
+ public:
+  FirstPlace(QMainWindow& window, QDockWidget& dock) : QObject(&dock), window_(window), dock_(dock) {
+    dock.installEventFilter(this);
+  }
+
+ protected:
+  bool eventFilter(QObject*, QEvent* event) override {
+    if (event->type() != QEvent::Show || placed_ || !window_.isVisible()) return false;
+    placed_ = true;
+    const QWidget& centre = *window_.centralWidget();
+    const QRect area(centre.mapToGlobal(QPoint(0, 0)), centre.size());
+    const QSize size = dock_.sizeHint().boundedTo(area.size()).expandedTo(dock_.minimumSizeHint());
+    dock_.setGeometry(QRect(area.center() - QPoint(size.width() / 2, size.height() / 2), size));
+    return false;
+  }
+
+ private:
+  QMainWindow& window_;
+  QDockWidget& dock_;
+  bool placed_ = false;
+};
+
 }  // namespace
+
+void floatOverCentre(QMainWindow& window, QDockWidget& dock) {
+  dock.setAllowedAreas(Qt::NoDockWidgetArea);
+  dock.setFloating(true);
+  dock.hide();
+  new FirstPlace(window, dock);
+}
 
 void layOutDocks(QMainWindow& window) {
   const auto dock = [&window](const char* name) { return window.findChild<QDockWidget*>(name); };

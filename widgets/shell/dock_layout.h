@@ -1,5 +1,6 @@
 #pragma once
 
+class QDockWidget;
 class QMainWindow;
 
 namespace capstan::widgets {
@@ -7,5 +8,9 @@ namespace capstan::widgets {
 /// Divides the window among cameras, scene and panels; in a low window docks become tabs of one place. For
 /// users without a saved layout.
 void layOutDocks(QMainWindow& window);
+
+/// Makes a hidden dock float, since it is too wide for a column. When it is first shown, it covers the plots,
+/// not the cameras, the panels or the toolbar; a place that the user gives it stays.
+void floatOverCentre(QMainWindow& window, QDockWidget& dock);
 
 }  // namespace capstan::widgets

@@ -9,7 +9,6 @@
 #include <QFileDialog>
 #include <QMenuBar>
 #include <QRegularExpression>
-#include <QScreen>
 #include <QStackedWidget>
 #include <QStandardPaths>
 #include <QStatusBar>
@@ -22,6 +21,7 @@
 #include "widgets/panels/errors/errors_panel.h"
 #include "widgets/panels/identification/identification_panel.h"
 #include "widgets/panels/learning/learning_panel.h"
+#include "widgets/panels/marker/marker_panel.h"
 #include "widgets/panels/notes/notes_panel.h"
 #include "widgets/panels/occlusion/occlusion_panel.h"
 #include "widgets/panels/registration/registration_panel.h"
@@ -36,6 +36,7 @@
 #include "widgets/shell/identification_controller.h"
 #include "widgets/shell/keyboard_reach.h"
 #include "widgets/shell/learning_controller.h"
+#include "widgets/shell/marker_controller.h"
 #include "widgets/shell/message_bar.h"
 #include "widgets/shell/monitor_controller.h"
 #include "widgets/shell/motor_controller.h"
@@ -129,13 +130,13 @@ void MainWindow::addDocks() {
                               identification_ = themed(new IdentificationPanel), Qt::RightDockWidgetArea);
   dock("errors", tr("Errors (RMS)"), errors_ = themed(new ErrorsPanel), Qt::RightDockWidgetArea);
   dock("notes", tr("Notes"), notes_ = themed(new NotesPanel), Qt::RightDockWidgetArea);
+  auto* marker = themed(new MarkerPanel);
+  auto* marker_dock = dock("marker", tr("Marker"), marker, Qt::RightDockWidgetArea);
+  floatOverCentre(*this, *marker_dock);
+  new MarkerController(*marker, *marker_dock, link_, *bar_, this);
   registration_dock_ = dock("registration", tr("Registration"), registration_ = themed(new RegistrationPanel),
                             Qt::RightDockWidgetArea);
-  registration_dock_->setAllowedAreas(Qt::NoDockWidgetArea);  // too wide for a column
-  registration_dock_->setFloating(true);
-  if (const QScreen* on = QGuiApplication::primaryScreen())
-    registration_dock_->resize(registration_dock_->sizeHint().boundedTo(0.9 * on->availableSize()));
-  registration_dock_->hide();
+  floatOverCentre(*this, *registration_dock_);
   new RegistrationController(*registration_, *registration_dock_, link_, *bar_, *scene_, *notes_, this);
   new IdentificationController(*identification_, *identification, link_, *bar_, *notes_, this);
   new AnalysisController(analysis_->errors(), *centre_, link_, *bar_, *errors_, *notes_, this);
@@ -374,7 +375,7 @@ void MainWindow::restore() {
   learning_->restore(*settings_);
   restoreGeometry(settings_->value("geometry").toByteArray());
   laid_out_ = restoreState(settings_->value("layout").toByteArray(), kLayoutVersion);
-  registration_dock_->hide();
+  for (const char* name : {"marker", "registration"}) findChild<QDockWidget*>(name)->hide();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

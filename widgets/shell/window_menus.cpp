@@ -72,13 +72,14 @@ void addMenus(MainWindow& window, QMenuBar& menus) {
   addActions(*session, window, {"", "record", "recordingFolder", "showFolder", "", "note", "export"});
   auto* view = menus.addMenu(QObject::tr("&View"));
   for (std::size_t i = 0; i < kDocks.size(); ++i) addDock(*view, window, kDocks[i], static_cast<int>(i) + 1);
-  view->addAction(window.action("register"));
+  addActions(*view, window, {"marker", "register"});
   view->addSeparator();
   addAllDocks(*view, window);
   view->addSeparator();
   addActions(*view, window, {"analyse", "diagnose", "learn", "", "theme"});
   auto* tools = menus.addMenu(QObject::tr("T&ools"));
-  addActions(*tools, window, {"register", "identify", "analyse", "diagnose", "learn", "motors", "monitor"});
+  addActions(*tools, window,
+             {"marker", "register", "identify", "analyse", "diagnose", "learn", "motors", "monitor"});
   auto* help = menus.addMenu(QObject::tr("&Help"));
   addActions(*help, window, {"help"});
 }

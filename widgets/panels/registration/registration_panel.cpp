@@ -4,8 +4,10 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QStackedWidget>
+#include <QTabWidget>
 
 #include "widgets/panels/registration/collect_page.h"
+#include "widgets/panels/registration/poses_page.h"
 #include "widgets/panels/registration/result_page.h"
 #include "widgets/panels/registration/step_bar.h"
 #include "widgets/panels/registration/stop_page.h"
@@ -18,15 +20,11 @@ RegistrationPanel::RegistrationPanel(QWidget* parent) : QWidget(parent) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(14, 12, 14, 12);
   column->setSpacing(10);
-  steps_ = new StepBar({"Hard stop", "Frames", "Result"});
-  pages_ = new QStackedWidget;
-  pages_->addWidget(stop_ = new StopPage);
-  pages_->addWidget(collect_ = new CollectPage);
-  pages_->addWidget(result_ = new ResultPage);
-  pages_->addWidget(end_ = new QLabel);
-  end_->setAlignment(Qt::AlignCenter);
-  end_->setWordWrap(true);
-  end_->setFont(textFont(12.0));
+  tabs_ = new QTabWidget;
+  tabs_->addTab(makeHardStop(), "Hard stop");
+  tabs_->addTab(poses_ = new PosesPage, "Several poses");
+  tabs_->setTabToolTip(0, "One pose: the position of the cameras; their rotation is known");
+  tabs_->setTabToolTip(1, "Position and rotation of the cameras");
   ended_ = new QLabel(
       "The session has ended: the arm cannot be driven and no frames arrive. Begin it again (Space).");
   ended_->setWordWrap(true);
@@ -36,10 +34,37 @@ RegistrationPanel::RegistrationPanel(QWidget* parent) : QWidget(parent) {
   bottom->addWidget(ended_, 1);
   bottom->addStretch();
   bottom->addWidget(close_);
+  column->addWidget(tabs_, 1);
+  column->addLayout(bottom);
+  setWindowTitle("Register cameras");
+  connect(poses_, &PosesPage::accepted, this, &RegistrationPanel::accepted);
+  connect(poses_, &PosesPage::rejected, this, &RegistrationPanel::rejected);
+  connect(close_, &QPushButton::clicked, this, [this] {
+    if (guide_) guide_->leave();
+    poses_->stop();
+    Q_EMIT finished();
+  });
+  setTheme(theme_);
+}
+
+RegistrationPanel::~RegistrationPanel() = default;
+
+QWidget* RegistrationPanel::makeHardStop() {
+  auto* page = new QWidget;
+  auto* column = new QVBoxLayout(page);
+  column->setContentsMargins(0, 8, 0, 0);
+  column->setSpacing(10);
+  steps_ = new StepBar({"Hard stop", "Frames", "Result"});
+  pages_ = new QStackedWidget;
+  pages_->addWidget(stop_ = new StopPage);
+  pages_->addWidget(collect_ = new CollectPage);
+  pages_->addWidget(result_ = new ResultPage);
+  pages_->addWidget(end_ = new QLabel);
+  end_->setAlignment(Qt::AlignCenter);
+  end_->setWordWrap(true);
+  end_->setFont(textFont(12.0));
   column->addWidget(steps_);
   column->addWidget(pages_, 1);
-  column->addLayout(bottom);
-  setWindowTitle("Register cameras at the hard stop");
 
   connect(stop_, &StopPage::driveRequested, this, &RegistrationPanel::driveToHardStopRequested);
   connect(stop_, &StopPage::overrideChanged, this, [this](bool on) {
@@ -69,14 +94,8 @@ RegistrationPanel::RegistrationPanel(QWidget* parent) : QWidget(parent) {
     finish("Rejected: " + reason + ".\nThe registration in use stays.");
     Q_EMIT rejected(reason);
   });
-  connect(close_, &QPushButton::clicked, this, [this] {
-    if (guide_) guide_->leave();
-    Q_EMIT finished();
-  });
-  setTheme(theme_);
+  return page;
 }
-
-RegistrationPanel::~RegistrationPanel() = default;
 
 void RegistrationPanel::setTheme(const Theme& theme) {
   theme_ = theme;
@@ -84,6 +103,7 @@ void RegistrationPanel::setTheme(const Theme& theme) {
   stop_->setTheme(theme);
   collect_->setTheme(theme);
   result_->setTheme(theme);
+  poses_->setTheme(theme);
 }
 
 void RegistrationPanel::begin(const tracking::SourceInfo& source,
@@ -92,6 +112,7 @@ void RegistrationPanel::begin(const tracking::SourceInfo& source,
   guide_->start(current);
   stop_->setDrivable(source.live);
   result_->setRig(source.robot, source.rig);
+  poses_->begin(source.robot, current);
   close_->setText("Cancel");
   shown_ = RegistrationStep::kIdle;
   refresh();
@@ -103,16 +124,20 @@ void RegistrationPanel::setEnded(bool ended) {
   stop_->setEnded(ended);
   collect_->setEnded(ended);
   result_->setEnded(ended);
+  poses_->setEnded(ended);
   if (guide_ && guide_->step() == RegistrationStep::kDrive) stop_->showGuide(*guide_);
 }
 
-bool RegistrationPanel::active() const {
+bool RegistrationPanel::active() const { return poses_->active() || guiding(); }
+
+bool RegistrationPanel::guiding() const {
   return guide_ && guide_->step() != RegistrationStep::kIdle &&
          guide_->step() != RegistrationStep::kAccepted && guide_->step() != RegistrationStep::kRejected;
 }
 
 void RegistrationPanel::showSnapshot(const tracking::Snapshot& snapshot) {
-  if (!active()) return;
+  poses_->showSnapshot(snapshot);
+  if (!guiding()) return;
   guide_->observe(snapshot);
   refresh();
 }

@@ -13,16 +13,19 @@
 class QLabel;
 class QPushButton;
 class QStackedWidget;
+class QTabWidget;
 
 namespace capstan::widgets {
 
 class CollectPage;
+class PosesPage;
 class ResultPage;
 class StepBar;
 class StopPage;
 
-/// Guided hard-stop registration in three steps, by a registration::RegistrationGuide, during the running
-/// session. The owner passes it every snapshot with camera_updated and, for the overlay, frames.
+/// Registration during the running session: at the hard stop in three steps, by a
+/// registration::RegistrationGuide, or in several poses, which also gives the rotation (PosesPage). The owner
+/// passes it every snapshot with camera_updated and, for the overlay, frames.
 class RegistrationPanel : public QWidget {
   Q_OBJECT
 
@@ -40,11 +43,13 @@ class RegistrationPanel : public QWidget {
   /// Sets whether the session has ended, so that no more frames arrive and the arm cannot be moved.
   void setEnded(bool ended);
 
+  /// True while the guide or the collection of poses takes snapshots.
   bool active() const;
   const registration::RegistrationGuide* guide() const { return guide_.get(); }
   StopPage& stopPage() { return *stop_; }
   CollectPage& collectPage() { return *collect_; }
   ResultPage& resultPage() { return *result_; }
+  PosesPage& posesPage() { return *poses_; }
   QSize sizeHint() const override { return {680, 620}; }
 
  signals:
@@ -56,6 +61,8 @@ class RegistrationPanel : public QWidget {
   void finished();
 
  private:
+  QWidget* makeHardStop();
+  bool guiding() const;
   void refresh();
   void finish(const QString& message);
 
@@ -63,6 +70,8 @@ class RegistrationPanel : public QWidget {
   std::unique_ptr<registration::RegistrationGuide> guide_;
   registration::RegistrationStep shown_ = registration::RegistrationStep::kIdle;
   int points_shown_ = -1;
+  QTabWidget* tabs_;
+  PosesPage* poses_;
   StepBar* steps_;
   QStackedWidget* pages_;
   StopPage* stop_;

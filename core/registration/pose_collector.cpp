@@ -1,0 +1,107 @@
+#include "core/registration/pose_collector.h"
+
+#include <array>
+#include <limits>
+
+#include "core/base/yaml.h"
+#include "core/robot/arm_kinematics.h"
+#include "core/stats/quantile.h"
+#include "core/table_files/write_columns.h"
+
+namespace capstan::registration {
+namespace {
+
+constexpr double kLongestPair = 0.2;  // time between two samples whose distance gives a speed [s]
+
+}  // namespace
+
+bool PoseCollector::isNew(const Eigen::Vector3d& tip, const std::vector<CollectedPose>& poses) const {
+  return std::ranges::all_of(
+      poses, [&](const CollectedPose& pose) { return (pose.pair.base - tip).norm() >= kApart; });
+}
+
+bool PoseCollector::observe(const tracking::Snapshot& snapshot) {
+  if (!snapshot.camera_updated || !snapshot.tip_kin_cam.allFinite()) return false;
+  const double dt = snapshot.t_cam - last_t_;
+  const double speed = (snapshot.tip_kin_cam - last_tip_).norm() / dt;
+  last_t_ = snapshot.t_cam;
+  last_tip_ = snapshot.tip_kin_cam;
+  const bool slow = dt > 0.0 && dt <= kLongestPair && speed <= kSlow;  // false for the first sample: NaN
+  if (!slow || !snapshot.tip_in_camera.allFinite() || !(collecting_ || checking_)) return false;
+  std::vector<CollectedPose>& into = checking_ ? checks_ : poses_;
+  if (!isNew(snapshot.tip_kin_cam, into)) return false;
+  into.push_back({snapshot.t_cam, {snapshot.tip_in_camera, snapshot.tip_kin_cam}, snapshot.q_link_kin});
+  if (checking_ && checks_.size() == kChecks) checking_ = false;
+  if (poses_.size() == kMost) collecting_ = false;
+  if (&into == &poses_) refit();
+  return true;
+}
+
+void PoseCollector::exclude(std::size_t pose, bool excluded) {
+  poses_[pose].excluded = excluded;
+  refit();
+}
+
+void PoseCollector::clear() {
+  collecting_ = checking_ = false;
+  poses_.clear();
+  checks_.clear();
+  refit();
+}
+
+void PoseCollector::check() {
+  collecting_ = false;
+  checks_.clear();
+  checking_ = true;
+}
+
+void PoseCollector::refit() {
+  std::vector<PointPair> pairs;
+  fitted_.clear();
+  for (std::size_t i = 0; i < poses_.size(); ++i) {
+    if (poses_[i].excluded) continue;
+    pairs.push_back(poses_[i].pair);
+    fitted_.push_back(i);
+  }
+  fit_ = registerPairs(pairs);
+}
+
+double PoseCollector::closure(const CollectedPose& pose) const {
+  return (fit_->base_from_camera * pose.pair.camera - pose.pair.base).norm();
+}
+
+WorkspaceSigma PoseCollector::workspaceSigma() const {
+  const robot::ArmKinematics arm(robot_);
+  const Eigen::Isometry3d camera_from_base = fit_->base_from_camera.inverse();
+  std::vector<double> sigmas;
+  for (int corner = 0; corner < 27; ++corner) {
+    Eigen::Vector3d q;
+    for (int joint = 0, rest = corner; joint < 3; ++joint, rest /= 3) {
+      const robot::Joint& limits = robot_.joints[static_cast<std::size_t>(joint)];
+      q(joint) = limits.limit_low + 0.5 * (rest % 3) * (limits.limit_high - limits.limit_low);
+    }
+    sigmas.push_back(sigmaAt(*fit_, camera_from_base * arm.tip(q)));
+  }
+  return {stats::median(sigmas), *std::ranges::max_element(sigmas)};
+}
+
+void PoseCollector::save(const std::filesystem::path& path) const {
+  constexpr std::array names = {"t", "x", "y", "z", "cam_x", "cam_y", "cam_z", "excluded"};
+  std::array<std::vector<double>, names.size()> columns;
+  for (const CollectedPose& pose : poses_) {
+    const std::array<double, names.size()> row = {pose.t,
+                                                  pose.pair.base.x(),
+                                                  pose.pair.base.y(),
+                                                  pose.pair.base.z(),
+                                                  pose.pair.camera.x(),
+                                                  pose.pair.camera.y(),
+                                                  pose.pair.camera.z(),
+                                                  pose.excluded ? 1.0 : 0.0};
+    for (std::size_t i = 0; i < row.size(); ++i) columns[i].push_back(row[i]);
+  }
+  std::vector<table_files::NamedColumn> table;
+  for (std::size_t i = 0; i < names.size(); ++i) table.push_back({names[i], {}, {}, &columns[i]});
+  base::writeTextFile(path, table_files::formatCsv(table));
+}
+
+}  // namespace capstan::registration

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/registration/pair_registration.h"
+#include "core/robot/description.h"
+#include "core/tracking/snapshot.h"
+
+/// Registration in several poses: collects pairs of points while the arm moves through its workspace.
+namespace capstan::registration {
+
+/// A pose of the arm that both cameras saw.
+struct CollectedPose {
+  double t = 0.0;                               ///< exposure [s]
+  PointPair pair{};                             ///< marker in the left camera's frame, tip in frame 0 [m]
+  Eigen::Vector3d q = Eigen::Vector3d::Zero();  ///< joints by transmission kinematics [rad, rad, m]
+  bool excluded = false;                        ///< by the user
+};
+
+/// Uncertainty of the marker's position over the whole workspace [m].
+struct WorkspaceSigma {
+  double median = 0.0, largest = 0.0;
+};
+
+class PoseCollector {
+ public:
+  static constexpr double kApart = 0.01;     ///< smallest distance of a pose from every other [m]
+  static constexpr double kSlow = 0.01;      ///< highest speed of the tip at a pose [m/s]
+  static constexpr std::size_t kMost = 100;  ///< number of poses that ends the collection
+  static constexpr std::size_t kChecks = 3;  ///< number of poses of a check
+
+  explicit PoseCollector(const robot::Description& robot) : robot_(robot) {}
+
+  /// Collects poses, or stops.
+  void setCollecting(bool on) { collecting_ = on; }
+  bool collecting() const { return collecting_; }
+  /// Takes the next snapshot, in order. Returns true when a pose was added.
+  bool observe(const tracking::Snapshot& snapshot);
+  /// Excludes a pose from the fit, or includes it again.
+  void exclude(std::size_t pose, bool excluded);
+  void clear();
+  /// Collects kChecks further poses that are not in the fit: their distances from it are the closure errors.
+  void check();
+
+  const std::vector<CollectedPose>& poses() const { return poses_; }
+  const std::vector<CollectedPose>& checks() const { return checks_; }
+  bool checking() const { return checking_; }
+  /// Fit of the poses that are not excluded, or why there is none.
+  const base::Result<PairRegistration, PairRefusal>& fit() const { return fit_; }
+  /// Index of each of the fit's pairs in poses().
+  const std::vector<std::size_t>& fitted() const { return fitted_; }
+  /// Distance of a pose's tip from its place by the fit [m]. The fit must exist.
+  double closure(const CollectedPose& pose) const;
+  /// Uncertainty by the fit at 27 poses between the joint limits. The fit must exist.
+  WorkspaceSigma workspaceSigma() const;
+
+  /// Writes the poses as a CSV table for `capstan-cli register`: t, x, y, z, cam_x, cam_y, cam_z, excluded.
+  /// Throws base::InputError where it cannot be written.
+  void save(const std::filesystem::path& path) const;
+
+ private:
+  bool isNew(const Eigen::Vector3d& tip, const std::vector<CollectedPose>& poses) const;
+  void refit();
+
+  robot::Description robot_;
+  bool collecting_ = false, checking_ = false;
+  double last_t_ = 0.0;
+  Eigen::Vector3d last_tip_ = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+  std::vector<CollectedPose> poses_, checks_;
+  std::vector<std::size_t> fitted_;
+  base::Result<PairRegistration, PairRefusal> fit_ = base::failure(PairRefusal{});
+};
+
+}  // namespace capstan::registration
