@@ -21,7 +21,7 @@ namespace {
 enum Column { kPose, kX, kY, kZ, kResidual, kShift, kVerdict, kColumns };
 
 QString millimetres(double metres, int digits = 2) {
-  return QString::number(base::toMillimetres(metres), 'f', digits);
+  return QString::number(base::toMillimetres(metres), 'f', digits).replace('-', QStringLiteral("−"));
 }
 
 QTableWidgetItem* numberItem(const QString& text) {
@@ -89,7 +89,8 @@ void PosesPage::makeTable() {
   table_->horizontalHeaderItem(kShift)->setToolTip(
       tr("Largest displacement of the tip, at these poses, by the fit without this pose"));
   table_->verticalHeader()->hide();
-  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  table_->horizontalHeader()->setStretchLastSection(true);
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setMinimumHeight(120);
