@@ -20,8 +20,6 @@
 namespace capstan::cli {
 namespace {
 
-constexpr int kFew = 12;  // pairs below which one outlier may pass
-
 struct RegisterArguments {
   std::string pairs, poses, cameras, out, json;
   bool exchange = false;
@@ -62,7 +60,8 @@ nlohmann::json jsonOf(const Registered& found) {
           {"rows", found.rows},
           {"used", fit.used.size() - rejected.size()},
           {"rejected", rejected},
-          {"skipped", skipped}};
+          {"skipped", skipped},
+          {"warning", registration::warningOf(fit)}};
 }
 
 std::string textOf(const Registered& found) {
@@ -84,8 +83,8 @@ std::string textOf(const Registered& found) {
       1e3 * at_points, rejected.empty() ? "  none" : rejected);
   for (const auto& [row, reason] : found.points.skipped)
     text += fmt::format("skipped        row {}: {}\n", row, reason);
-  if (used < kFew)
-    text += fmt::format("{} pairs leave a bad pair hard to recognise; {} or more are better\n", used, kFew);
+  if (const std::string warning = registration::warningOf(fit); !warning.empty())
+    text += fmt::format("note           {}\n", warning);
   return text;
 }
 

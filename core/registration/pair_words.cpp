@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "core/base/units.h"
 
 namespace capstan::registration {
@@ -26,6 +28,21 @@ RefusalWords wordsOf(const PairRefusal& refusal) {
               "Add poses farther apart"};
   }
   return {reason, {}};
+}
+
+std::string warningOf(const PairRegistration& registration) {
+  constexpr std::size_t kFew = 12;  // pairs below which one outlier may pass
+  const std::size_t pairs = registration.used.size();
+  const auto rejected = static_cast<std::size_t>(std::ranges::count(registration.used, false));
+  if (4 * rejected > pairs)
+    return fmt::format(
+        "{} of {} pairs disagree with the fit: if they are not wrong detections, the constants of the robot "
+        "file are "
+        "wrong. Identify them first",
+        rejected, pairs);
+  if (pairs < kFew)
+    return fmt::format("{} pairs leave a wrong one hard to recognise; {} or more are better", pairs, kFew);
+  return {};
 }
 
 }  // namespace capstan::registration

@@ -14,4 +14,9 @@ struct RefusalWords {
 /// Why pairs of points give no registration, and what to do about it.
 RefusalWords wordsOf(const PairRefusal& refusal);
 
+/// What to doubt about a registration: more than a quarter of the pairs rejected, which a wrong robot file
+/// does as well as wrong detections; or too few pairs to recognise a wrong one. Empty where there is nothing
+/// to doubt.
+std::string warningOf(const PairRegistration& registration);
+
 }  // namespace capstan::registration

@@ -79,7 +79,7 @@ void MarkerPicture::paintEvent(QPaintEvent*) {
         where.topLeft() + QPointF(marker_.centroid.x() + 0.5, marker_.centroid.y() + 0.5) * scale;
     painter.setPen(QPen(theme_.accent, 2.0));
     painter.drawEllipse(centre, marker_.radius * scale + 2.0, marker_.radius * scale + 2.0);
-    words = tr("marker at %1, %2 px, radius %3 px, σ %4 px")
+    words = tr("%1, %2 px, radius %3 px, σ %4 px")
                 .arg(marker_.centroid.x(), 0, 'f', 1)
                 .arg(marker_.centroid.y(), 0, 'f', 1)
                 .arg(marker_.radius, 0, 'f', 1)

@@ -35,7 +35,7 @@ QTableWidgetItem* numberItem(const QString& text) {
 
 PosesPage::PosesPage(QWidget* parent) : QWidget(parent) {
   auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
+  column->setContentsMargins(0, 8, 0, 0);
   column->setSpacing(8);
   auto* advice = new QLabel(tr("Move the arm slowly through its whole workspace, in all three directions. A "
                                "pose is taken where the tip is "
@@ -202,13 +202,14 @@ void PosesPage::refresh() {
   accept_->setEnabled(fit.has_value());
   reject_->setEnabled(poses > 0 && !reason_->currentText().trimmed().isEmpty());
   result_->setVisible(fit.has_value());
-  refusal_->setVisible(!fit.has_value() && poses > 0);
   if (fit) {
     result_->setText(resultText());
+    refusal_->setText(QString::fromStdString(registration::warningOf(*fit)));
   } else {
     const auto words = registration::wordsOf(fit.error());
     refusal_->setText(QString::fromStdString(words.reason + ". " + words.remedy + "."));
   }
+  refusal_->setVisible(poses > 0 && !refusal_->text().isEmpty());
   QStringList errors;
   if (fit)
     for (const auto& pose : collector_->checks()) errors << millimetres(collector_->closure(pose));

@@ -21,6 +21,7 @@ RegistrationPanel::RegistrationPanel(QWidget* parent) : QWidget(parent) {
   column->setContentsMargins(14, 12, 14, 12);
   column->setSpacing(10);
   tabs_ = new QTabWidget;
+  tabs_->setDocumentMode(true);  // no frame within the frame
   tabs_->addTab(makeHardStop(), "Hard stop");
   tabs_->addTab(poses_ = new PosesPage, "Several poses");
   tabs_->setTabToolTip(0, "One pose: the position of the cameras; their rotation is known");
