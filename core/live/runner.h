@@ -19,7 +19,7 @@ namespace capstan::live {
 enum class RunState { kPaused, kRunning, kEnded, kFailed };
 
 struct RunnerOptions {
-  double speed = 1.0;  ///< playback speed, recording time per wall time, 0.25…10; 0: as fast as possible
+  double speed = 1.0;  ///< playback speed, recording time per wall time, 0.1…50; 0: as fast as possible
   /// Rate of snapshots for plots between camera updates [1/s of recording].
   static constexpr double kHistoryRate = 200.0;
   /// Number of snapshots in the history; new ones replace the oldest.

@@ -78,7 +78,7 @@ class Runner::Impl {
 
   void setSpeed(double speed) {
     post([this, speed] {
-      speed_ = speed <= 0.0 ? 0.0 : std::clamp(speed, 0.25, 10.0);
+      speed_ = speed <= 0.0 ? 0.0 : std::clamp(speed, 0.1, 50.0);
       pacer_.restart();
     });
   }

@@ -25,6 +25,7 @@
 #include "widgets/panels/notes/notes_panel.h"
 #include "widgets/panels/occlusion/occlusion_panel.h"
 #include "widgets/panels/registration/registration_panel.h"
+#include "widgets/panels/replay/replay_bar.h"
 #include "widgets/panels/status/status_line.h"
 #include "widgets/scene/scene_view.h"
 #include "widgets/shell/analysis_controller.h"
@@ -42,6 +43,7 @@
 #include "widgets/shell/motor_controller.h"
 #include "widgets/shell/occlusion_controller.h"
 #include "widgets/shell/registration_controller.h"
+#include "widgets/shell/replay_controller.h"
 #include "widgets/shell/robot_controller.h"
 #include "widgets/shell/session_bar.h"
 #include "widgets/shell/source_menu.h"
@@ -59,6 +61,16 @@ QString documents() {
   return QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) + "/Capstan";
 }
 
+/// The widgets one below the other, of which `tall` takes the room.
+QWidget* column(std::initializer_list<QWidget*> widgets, QWidget* tall) {
+  auto* box = new QWidget;
+  auto* layout = new QVBoxLayout(box);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  for (QWidget* widget : widgets) layout->addWidget(widget, widget == tall ? 1 : 0);
+  return box;
+}
+
 }  // namespace
 
 MainWindow::MainWindow(const QString& settings, QWidget* parent)
@@ -67,20 +79,14 @@ MainWindow::MainWindow(const QString& settings, QWidget* parent)
                                    : std::make_unique<QSettings>(settings, QSettings::IniFormat)) {
   setDockNestingEnabled(true);
   setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
-  auto* middle = new QWidget;
-  auto* column = new QVBoxLayout(middle);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
   messages_ = themed(new MessageBar);
   figure_ = new JointFigure(history_);
-  column->addWidget(messages_);
   centre_ = new QStackedWidget;
-  centre_->addWidget(figure_);
+  centre_->addWidget(column({figure_, replay_ = themed(new ReplayBar(history_))}, figure_));
   centre_->addWidget(new DockScroll(analysis_ = themed(new AnalysisPages)));
   centre_->addWidget(new DockScroll(diagnosis_ = themed(new DiagnosisPanel(runDiagnosis))));
   centre_->addWidget(new DockScroll(learning_ = themed(new LearningPanel)));
-  column->addWidget(centre_, 1);
-  setCentralWidget(middle);
+  setCentralWidget(column({messages_, centre_}, centre_));
   status_ = themed(new StatusLine);
   statusBar()->addWidget(status_, 1);
   bar_ = new SessionBar(this);
@@ -102,14 +108,8 @@ MainWindow::~MainWindow() = default;
 /// Adds the menus above the toolbar. The toolbar is outside the window's toolbar areas, so that actions
 /// without room go into a menu.
 QMenuBar* MainWindow::addBars() {
-  auto* bars = new QWidget;
-  auto* column = new QVBoxLayout(bars);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
   auto* menus = new QMenuBar;
-  column->addWidget(menus);
-  column->addWidget(bar_);
-  setMenuWidget(bars);
+  setMenuWidget(column({menus, bar_}, bar_));
   return menus;
 }
 
@@ -146,6 +146,7 @@ void MainWindow::addDocks() {
   in_the_centre->setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional);
   for (const char* name : {"analyse", "diagnose", "learn"}) in_the_centre->addAction(action(name));
   new MotorController(*figure_, link_, *bar_, *messages_, *notes_, this);
+  new ReplayController(*replay_, {*figure_, *video_, *scene_, *notes_, *messages_}, link_, this);
   monitor_ = new MonitorController(link_, *bar_, *messages_, *notes_, this);
 }
 
@@ -168,6 +169,7 @@ void MainWindow::connectBar() {
   });
   connect(bar_, &SessionBar::speedChanged, this, [this](double speed) {
     if (link_.runner()) link_.runner()->setSpeed(speed);
+    replay_->setSpeed(speed);
   });
   connect(bar_, &SessionBar::recordToggled, this, [this] { link_.toggleRecording(bar_->recordingFolder()); });
   connect(bar_, &SessionBar::recordingFolderChanged, status_, &StatusLine::setFolder);
@@ -203,13 +205,13 @@ void MainWindow::connectLink() {
   });
   connect(&link_, &SessionLink::snapshot, this, [this](const tracking::Snapshot& snapshot) {
     now_ = snapshot.t;
-    scene_->showSnapshot(snapshot);
+    if (!replay_->reviewing()) scene_->showSnapshot(snapshot);
     occlusion_->showSnapshot(snapshot);
     status_->showSnapshot(snapshot);
   });
   connect(&link_, &SessionLink::frames, this,
           [this](const tracking::StereoFrame& frame, const tracking::Snapshot& seen) {
-            video_->showFrames(frame.left, frame.right, seen);
+            if (!replay_->reviewing()) video_->showFrames(frame.left, frame.right, seen);
           });
 }
 
@@ -224,7 +226,7 @@ void MainWindow::connectNotes() {
   });
   connect(notes_, &NotesPanel::timeChosen, this, [this](double t) {
     if (history_.empty() || t < history_.begin() || t > history_.end()) return;
-    figure_->setTimeRange(t - 0.5 * figure_->span(), t + 0.5 * figure_->span());
+    replay_->review(t);
   });
 }
 

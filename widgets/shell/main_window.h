@@ -26,6 +26,7 @@ class NotesPanel;
 class OcclusionController;
 class OcclusionPanel;
 class RegistrationPanel;
+class ReplayBar;
 class SceneView;
 class SessionBar;
 class StatusLine;
@@ -112,6 +113,7 @@ class MainWindow : public QMainWindow {
   LearningPanel* learning_;
   QStackedWidget* centre_;
   RegistrationPanel* registration_;
+  ReplayBar* replay_;
   ErrorsPanel* errors_;
   NotesPanel* notes_;
   StatusLine* status_;

@@ -83,9 +83,9 @@ void SessionBar::addSpeed() {
   speed_ = new QComboBox;
   speed_->setObjectName("speed");
   speed_->setToolTip(tr("Speed of the session, slower [ and faster ]"));
-  for (const double speed : {0.25, 0.5, 1.0, 2.0, 5.0, 10.0})
+  for (const double speed : {0.1, 0.25, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0})
     speed_->addItem(QStringLiteral("×%1").arg(speed), speed);
-  speed_->setCurrentIndex(2);
+  speed_->setCurrentIndex(speed_->findData(1.0));
   speed_->setFocusPolicy(Qt::NoFocus);
   addWidget(speed_)->setText(tr("Speed"));
   connect(speed_, QOverload<int>::of(&QComboBox::currentIndexChanged), this,

@@ -87,6 +87,7 @@ void NotesPanel::addEvent(double t, const QString& kind, const QString& text) {
   list_->addTopLevelItem(item);
   while (list_->topLevelItemCount() > kMostRows) delete list_->takeTopLevelItem(0);
   if (at_end) scroll_.start();
+  Q_EMIT eventAdded(t, kind, text);
 }
 
 void NotesPanel::addFile(double t, const QString& kind, const QString& path) {

@@ -39,6 +39,8 @@ class NotesPanel : public QWidget {
 
  signals:
   void noteWritten(const QString& text);
+  /// A row was added.
+  void eventAdded(double t, const QString& kind, const QString& text);
   /// The user wants to see this time [s].
   void timeChosen(double t);
 
