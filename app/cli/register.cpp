@@ -71,14 +71,14 @@ std::string textOf(const Registered& found) {
   double at_points = 0.0;
   for (std::size_t i = 0; i < fit.used.size(); ++i) {
     used += fit.used[i];
-    if (fit.used[i]) at_points = std::max(at_points, sigmaAt(fit, found.points.pairs[i].camera));
+    if (fit.used[i]) at_points = std::max(at_points, error95At(fit, found.points.pairs[i].camera));
     if (!fit.used[i])
       rejected += fmt::format("  row {}: {:.2f} mm", found.points.rows[i], 1e3 * fit.residuals[i]);
   }
   const Eigen::Vector3d position = 1e3 * fit.base_from_camera.translation();
   std::string text = fmt::format(
       "position       {:.3f}, {:.3f}, {:.3f} mm\npairs          {} of {}\nrms            {:.3f} mm\n"
-      "leave-one-out  {:.3f} mm\nσ at the tool  {:.3f} mm or less at these points\nrejected     {}\n",
+      "leave-one-out  {:.3f} mm\n95 % error     {:.3f} mm or less at these points\nrejected     {}\n",
       position.x(), position.y(), position.z(), used, found.rows, 1e3 * fit.rms, 1e3 * fit.leave_one_out_rms,
       1e3 * at_points, rejected.empty() ? "  none" : rejected);
   for (const auto& [row, reason] : found.points.skipped)
@@ -86,13 +86,6 @@ std::string textOf(const Registered& found) {
   if (const std::string warning = registration::warningOf(fit); !warning.empty())
     text += fmt::format("note           {}\n", warning);
   return text;
-}
-
-// Whether the same table with left and right exchanged gives a registration.
-bool fitsExchanged(const std::vector<registration::PairRow>& rows,
-                   const std::optional<vision::Triangulator>& triangulator) {
-  const auto points = registration::pointsOf(registration::exchanged(rows), triangulator);
-  return 2 * points.pairs.size() > rows.size() && registration::registerPairs(points.pairs).has_value();
 }
 
 Registered registered(const RegisterArguments& arguments) {
@@ -106,7 +99,7 @@ Registered registered(const RegisterArguments& arguments) {
   auto points = registration::pointsOf(rows, triangulator);
   const auto fit = registration::registerPairs(points.pairs);
   if (fit) return {std::move(points), rows.size(), *fit};
-  if (pixels && fitsExchanged(rows, triangulator))
+  if (pixels && registration::areExchanged(rows, *triangulator))
     refuseFile(arguments.pairs, "the left and the right pixels are exchanged",
                arguments.exchange ? "Leave out --exchange" : "Give --exchange, or exchange the columns");
   if (!points.skipped.empty() && 2 * points.pairs.size() < rows.size())

@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <boost/math/distributions/fisher_f.hpp>
+#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <numeric>
 #include <optional>
@@ -280,6 +281,12 @@ double sigmaAt(const PairRegistration& registration, const Eigen::Vector3d& came
   return std::sqrt((derivative * registration.covariance * derivative.transpose()).trace());
 }
 
+double error95At(const PairRegistration& registration, const Eigen::Vector3d& camera) {
+  const auto used = static_cast<double>(std::ranges::count(registration.used, true));
+  const boost::math::students_t_distribution<double> t(used - 2.0);
+  return quantile(complement(t, 0.025)) * sigmaAt(registration, camera);
+}
+
 base::Result<PairRegistration, PairRefusal> registerPairs(std::span<const PointPair> all) {
   const Pairs pairs{all};
   if (pairs.size() < kFewest)
@@ -297,7 +304,7 @@ base::Result<PairRegistration, PairRefusal> registerPairs(std::span<const PointP
   if (!found) return base::failure(found.error());
   PairRegistration result = registrationOf(pairs, found->rows, found->fit);
   if (result.sigma > kLargestSigma * spreadOf(pairs, found->rows))
-    return base::failure(PairRefusal{PairFault::kNoAgreement, static_cast<double>(found->rows.size())});
+    return base::failure(PairRefusal{PairFault::kScatter, result.sigma});
   const double scale = scaleOf(pairs, found->rows, found->fit);
   if (std::abs(scale - 1.0) > kScaleTolerance) return base::failure(PairRefusal{PairFault::kScale, scale});
   const double turn = std::sqrt(result.covariance.topLeftCorner<3, 3>().eigenvalues().real().maxCoeff());

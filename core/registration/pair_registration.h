@@ -12,7 +12,7 @@
 namespace capstan::registration {
 
 /// Reason why pairs of points do not determine base_from_camera.
-enum class PairFault { kTooFewPairs, kCollinear, kMirrored, kScale, kNoAgreement, kTooClose };
+enum class PairFault { kTooFewPairs, kCollinear, kMirrored, kScale, kNoAgreement, kScatter, kTooClose };
 
 /// One point in both frames [m].
 struct PointPair {
@@ -21,8 +21,9 @@ struct PointPair {
 
 struct PairRefusal {
   PairFault fault = PairFault::kTooFewPairs;
-  double value = 0.0;  ///< kScale: length in the base frame over length in the camera frame; kTooClose:
-                       ///< standard deviation of the rotation [rad]; else pairs used
+  double value = 0.0;  ///< kScale: length in the base frame over length in the camera frame; kScatter:
+                       ///< standard deviation of a pair per axis [m]; kTooClose: standard deviation of the
+                       ///< rotation [rad]; else pairs used
 };
 
 struct PairRegistration {
@@ -44,12 +45,18 @@ struct PairRegistration {
 /// pairs that agree. The start is the least trimmed squares fit of random triples (Rousseeuw & Van Driessen
 /// 2006). A pair is rejected where its squared distance exceeds what normal errors give once in a hundred
 /// sets (F distribution, Bonferroni). At least four pairs. Refuses points on one line, frames of unequal
-/// handedness, lengths whose ratio is outside 1 ± 0.03, sets in which half of the pairs or fewer agree, and
-/// points so close together that the rotation is uncertain by more than 3°.
+/// handedness, lengths whose ratio is outside 1 ± 0.03, sets in which half of the pairs or fewer agree, pairs
+/// that scatter by more than 0.3 of the points' own spread, and points so close together that the rotation is
+/// uncertain by more than 3°.
 base::Result<PairRegistration, PairRefusal> registerPairs(std::span<const PointPair> pairs);
 
 /// Standard deviation of the transformed point `camera` [m]: the root of the trace of its covariance [m].
 double sigmaAt(const PairRegistration& registration, const Eigen::Vector3d& camera);
+
+/// Error of the transformed point `camera` that at least 95 % of registrations like this one do not exceed
+/// [m]: sigmaAt times the 95 % quantile of |Student's t| with the degrees of freedom of one axis, because the
+/// error may lie along the depth alone.
+double error95At(const PairRegistration& registration, const Eigen::Vector3d& camera);
 
 }  // namespace capstan::registration
 
@@ -61,5 +68,6 @@ struct capstan::base::NamesOf<capstan::registration::PairFault> {
                                        std::pair{F::kMirrored, "one frame is mirrored"},
                                        std::pair{F::kScale, "lengths in the two frames differ"},
                                        std::pair{F::kNoAgreement, "half of the pairs or fewer agree"},
+                                       std::pair{F::kScatter, "the pairs scatter too much"},
                                        std::pair{F::kTooClose, "the points are too close together"}};
 };

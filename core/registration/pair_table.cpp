@@ -135,4 +135,10 @@ std::vector<PairRow> exchanged(std::vector<PairRow> rows) {
   return rows;
 }
 
+bool areExchanged(const std::vector<PairRow>& rows, const vision::Triangulator& triangulator) {
+  const auto meeting = [&](const PairPoints& points) { return 2 * points.pairs.size() > rows.size(); };
+  const PairPoints other = pointsOf(exchanged(rows), triangulator);
+  return meeting(other) && (!meeting(pointsOf(rows, triangulator)) || registerPairs(other.pairs).has_value());
+}
+
 }  // namespace capstan::registration

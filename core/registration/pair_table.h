@@ -53,4 +53,8 @@ PairPoints pointsOf(const std::vector<PairRow>& rows,
 /// The rows with the left and the right pixels exchanged.
 std::vector<PairRow> exchanged(std::vector<PairRow> rows);
 
+/// Whether left and right are exchanged in rows that do not register: the rays of most rows meet in the other
+/// order, and in this order they do not, or only the other order registers.
+bool areExchanged(const std::vector<PairRow>& rows, const vision::Triangulator& triangulator);
+
 }  // namespace capstan::registration

@@ -23,6 +23,10 @@ RefusalWords wordsOf(const PairRefusal& refusal) {
     case PairFault::kNoAgreement:
       return {fmt::format("{} ({:.0f})", reason, refusal.value),
               "Check that each pair has the same instant and the same point of the tool in both frames"};
+    case PairFault::kScatter:
+      return {fmt::format("{}: by {:.2f} mm per axis", reason, base::toMillimetres(refusal.value)),
+              "Add poses farther apart; check that each pair has the same instant and the same point of the "
+              "tool in both frames"};
     case PairFault::kTooClose:
       return {fmt::format("{}: the rotation is uncertain by {:.1f}°", reason, base::toDegrees(refusal.value)),
               "Add poses farther apart"};

@@ -30,7 +30,10 @@ bool PoseCollector::observe(const tracking::Snapshot& snapshot) {
   if (!slow || !snapshot.tip_in_camera.allFinite() || !(collecting_ || checking_)) return false;
   std::vector<CollectedPose>& into = checking_ ? checks_ : poses_;
   if (!isNew(snapshot.tip_kin_cam, into)) return false;
-  into.push_back({snapshot.t_cam, {snapshot.tip_in_camera, snapshot.tip_kin_cam}, snapshot.q_link_kin});
+  into.push_back({snapshot.t_cam,
+                  {snapshot.tip_in_camera, snapshot.tip_kin_cam},
+                  snapshot.q_link_kin,
+                  std::sqrt(snapshot.tip_in_camera_covariance.trace())});
   if (checking_ && checks_.size() == kChecks) checking_ = false;
   if (poses_.size() == kMost) collecting_ = false;
   if (&into == &poses_) refit();
@@ -66,23 +69,19 @@ void PoseCollector::refit() {
   fit_ = registerPairs(pairs);
 }
 
-double PoseCollector::closure(const CollectedPose& pose) const {
-  return (fit_->base_from_camera * pose.pair.camera - pose.pair.base).norm();
-}
-
-WorkspaceSigma PoseCollector::workspaceSigma() const {
+WorkspaceError PoseCollector::workspaceError() const {
   const robot::ArmKinematics arm(robot_);
   const Eigen::Isometry3d camera_from_base = fit_->base_from_camera.inverse();
-  std::vector<double> sigmas;
+  std::vector<double> errors;
   for (int corner = 0; corner < 27; ++corner) {
     Eigen::Vector3d q;
     for (int joint = 0, rest = corner; joint < 3; ++joint, rest /= 3) {
       const robot::Joint& limits = robot_.joints[static_cast<std::size_t>(joint)];
       q(joint) = limits.limit_low + 0.5 * (rest % 3) * (limits.limit_high - limits.limit_low);
     }
-    sigmas.push_back(sigmaAt(*fit_, camera_from_base * arm.tip(q)));
+    errors.push_back(error95At(*fit_, camera_from_base * arm.tip(q)));
   }
-  return {stats::median(sigmas), *std::ranges::max_element(sigmas)};
+  return {stats::median(errors), *std::ranges::max_element(errors)};
 }
 
 void PoseCollector::save(const std::filesystem::path& path) const {

@@ -19,11 +19,12 @@ struct CollectedPose {
   double t = 0.0;                               ///< exposure [s]
   PointPair pair{};                             ///< marker in the left camera's frame, tip in frame 0 [m]
   Eigen::Vector3d q = Eigen::Vector3d::Zero();  ///< joints by transmission kinematics [rad, rad, m]
-  bool excluded = false;                        ///< by the user
+  double camera_sigma = 0.0;  ///< RMS error of the point in the camera's frame, predicted [m]
+  bool excluded = false;      ///< by the user
 };
 
-/// Uncertainty of the marker's position over the whole workspace [m].
-struct WorkspaceSigma {
+/// 95 % error of the registered marker over the whole workspace [m].
+struct WorkspaceError {
   double median = 0.0, largest = 0.0;
 };
 
@@ -44,9 +45,10 @@ class PoseCollector {
   /// Excludes a pose from the fit, or includes it again.
   void exclude(std::size_t pose, bool excluded);
   void clear();
-  /// Collects kChecks further poses that are not in the fit: their distances from it are the closure errors.
+  /// Collects kChecks further poses that are not in the fit: closuresOf() compares a registration with them.
   void check();
 
+  const robot::Description& robot() const { return robot_; }
   const std::vector<CollectedPose>& poses() const { return poses_; }
   const std::vector<CollectedPose>& checks() const { return checks_; }
   bool checking() const { return checking_; }
@@ -54,10 +56,8 @@ class PoseCollector {
   const base::Result<PairRegistration, PairRefusal>& fit() const { return fit_; }
   /// Index of each of the fit's pairs in poses().
   const std::vector<std::size_t>& fitted() const { return fitted_; }
-  /// Distance of a pose's tip from its place by the fit [m]. The fit must exist.
-  double closure(const CollectedPose& pose) const;
-  /// Uncertainty by the fit at 27 poses between the joint limits. The fit must exist.
-  WorkspaceSigma workspaceSigma() const;
+  /// 95 % error by the fit at 27 poses between the joint limits. The fit must exist.
+  WorkspaceError workspaceError() const;
 
   /// Writes the poses as a CSV table for `capstan-cli register`: t, x, y, z, cam_x, cam_y, cam_z, excluded.
   /// Throws base::InputError where it cannot be written.

@@ -1,14 +1,20 @@
 #include "core/registration/pose_collector.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "core/base/random.h"
+#include "core/registration/closure.h"
 #include "core/registration/pair_table.h"
 #include "core/robot/arm_kinematics.h"
 #include "tests/support/folders.h"
 
 namespace capstan::registration {
 namespace {
+
+using testing::HasSubstr;
+
+constexpr double kNoise = 2e-4;  // of the camera's point, per axis [m]
 
 /// An arm that stops for half a second at each of many poses, and moves quickly in between.
 class Poses : public ::testing::Test {
@@ -38,7 +44,8 @@ class Poses : public ::testing::Test {
     s.q_link_kin = q;
     s.tip_kin_cam = arm_.tip(q);
     s.tip_in_camera = truth_.inverse() * s.tip_kin_cam + Eigen::Vector3d(0.0, 0.0, error);
-    for (int i = 0; i < 3; ++i) s.tip_in_camera(i) += random_.normal(0.0, 2e-4);
+    for (int i = 0; i < 3; ++i) s.tip_in_camera(i) += random_.normal(0.0, kNoise);
+    s.tip_in_camera_covariance = kNoise * kNoise * Eigen::Matrix3d::Identity();
     collector_.observe(s);
   }
 
@@ -59,15 +66,15 @@ TEST_F(Poses, GiveTheTransformWithItsErrorAtTheTool) {
   ASSERT_EQ(collector_.poses().size(), 20u) << "one a rest, none on the way";
   ASSERT_TRUE(collector_.fit().has_value());
   EXPECT_FALSE(collector_.fit()->used[7]);
-  const auto sigma = collector_.workspaceSigma();
-  EXPECT_LE(sigma.median, sigma.largest);
+  const WorkspaceError error95 = collector_.workspaceError();
+  EXPECT_LE(error95.median, error95.largest);
   double worst = 0.0;
   for (int i = 0; i < 500; ++i) {
     const Eigen::Vector3d tip = arm_.tip(somewhere());
     worst = std::max(worst, (collector_.fit()->base_from_camera * (truth_.inverse() * tip) - tip).norm());
   }
-  EXPECT_LT(worst, 3.5 * sigma.largest);
-  EXPECT_GT(3.5 * sigma.largest, 1e-4) << "an interval that promises what noise cannot keep is none";
+  EXPECT_LT(worst, 2.0 * error95.largest);
+  EXPECT_GT(2.0 * error95.largest, 1e-4) << "an interval that promises what noise cannot keep is none";
 }
 
 TEST_F(Poses, AreExcludedAndComeBack) {
@@ -94,7 +101,21 @@ TEST_F(Poses, CheckStaysOutsideTheFit) {
   EXPECT_FALSE(collector_.checking());
   ASSERT_EQ(collector_.checks().size(), PoseCollector::kChecks);
   EXPECT_EQ(collector_.poses().size(), 12u);
-  for (const CollectedPose& pose : collector_.checks()) EXPECT_LT(collector_.closure(pose), 2e-3);
+  for (const Closure& closure : closuresOf(*collector_.fit(), collector_.checks())) {
+    EXPECT_LT(closure.error, 2e-3);
+    EXPECT_TRUE(closure.holds());
+  }
+  EXPECT_THAT(closureWords(closuresOf(*collector_.fit(), collector_.checks())), HasSubstr("holds: errors"));
+}
+
+TEST_F(Poses, CheckTheRegistrationInUse) {
+  collector_.check();
+  for (int i = 0; i < 4; ++i) visit();
+  EXPECT_FALSE(collector_.fit().has_value());
+  for (const Closure& closure : closuresOf(truth_, collector_.checks())) EXPECT_TRUE(closure.holds());
+  const Eigen::Isometry3d tilted = truth_ * Eigen::AngleAxisd(0.09, Eigen::Vector3d::UnitX());
+  EXPECT_THAT(closureWords(closuresOf(tilted, collector_.checks())), HasSubstr("does not hold"));
+  EXPECT_EQ(closureWords({}), "");
 }
 
 TEST_F(Poses, AreSavedForTheCommandLine) {

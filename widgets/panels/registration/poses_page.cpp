@@ -13,6 +13,7 @@
 
 #include "core/base/error.h"
 #include "core/base/units.h"
+#include "core/registration/closure.h"
 #include "core/registration/pair_words.h"
 
 namespace capstan::widgets {
@@ -198,7 +199,7 @@ void PosesPage::refresh() {
   collect_->setEnabled(!ended_ || collector_->collecting());
   clear_->setEnabled(poses > 0);
   save_->setEnabled(poses > 0);
-  check_->setEnabled(fit.has_value() && !ended_);
+  check_->setEnabled((fit || current_) && !ended_);
   accept_->setEnabled(fit.has_value());
   reject_->setEnabled(poses > 0 && !reason_->currentText().trimmed().isEmpty());
   result_->setVisible(fit.has_value());
@@ -210,14 +211,7 @@ void PosesPage::refresh() {
     refusal_->setText(QString::fromStdString(words.reason + ". " + words.remedy + "."));
   }
   refusal_->setVisible(poses > 0 && !refusal_->text().isEmpty());
-  QStringList errors;
-  if (fit)
-    for (const auto& pose : collector_->checks()) errors << millimetres(collector_->closure(pose));
-  closures_->setText(
-      collector_->checking()
-          ? tr("move the arm: %1 of %2 poses").arg(errors.size()).arg(registration::PoseCollector::kChecks)
-      : errors.isEmpty() ? tr("closure errors at poses that are not in the fit")
-                         : tr("closure errors %1 mm").arg(errors.join(", ")));
+  closures_->setText(closureText());
 }
 
 void PosesPage::fillTable() {
@@ -243,7 +237,7 @@ void PosesPage::fillRow(int row) {
   const auto& fit = collector_->fit();
   const auto& fitted = collector_->fitted();
   const auto at = static_cast<std::size_t>(std::ranges::find(fitted, index) - fitted.begin());
-  if (fit) residual = millimetres(collector_->closure(pose));
+  if (fit) residual = millimetres((fit->base_from_camera * pose.pair.camera - pose.pair.base).norm());
   if (fit && at < fitted.size()) {
     shift = fit->used[at] ? millimetres(fit->shifts[at]) : "–";
     state = fit->used[at] ? tr("used") : tr("outlier");
@@ -273,10 +267,25 @@ QString PosesPage::resultText() const {
   }
   lines << line(tr("residual, leave-one-out"),
                 tr("%1 mm, %2 mm RMS").arg(millimetres(fit.rms), millimetres(fit.leave_one_out_rms)));
-  const auto sigma = collector_->workspaceSigma();
-  lines << line(tr("σ over the workspace"),
-                tr("%1 mm, %2 mm at its far end").arg(millimetres(sigma.median), millimetres(sigma.largest)));
+  const auto error = collector_->workspaceError();
+  lines << line(tr("95 % error, workspace"),
+                tr("%1 mm, %2 mm at its far end").arg(millimetres(error.median), millimetres(error.largest)));
   return lines.join('\n');
+}
+
+QString PosesPage::closureText() const {
+  const auto& checks = collector_->checks();
+  if (collector_->checking())
+    return tr("Move the arm: %1 of %2 poses").arg(checks.size()).arg(registration::PoseCollector::kChecks);
+  if (checks.empty())
+    return tr("Compares the %1 with three poses that are not in it")
+        .arg(collector_->fit() ? tr("fit") : tr("registration in use"));
+  const auto closures = collector_->fit() ? registration::closuresOf(*collector_->fit(), checks)
+                                          : registration::closuresOf(*current_, checks);
+  QStringList errors;
+  for (const auto& closure : closures) errors << millimetres(closure.error);
+  return tr("%1 mm. %2.")
+      .arg(errors.join(", "), QString::fromStdString(registration::closureWords(closures)));
 }
 
 void PosesPage::savePoses() {

@@ -52,6 +52,7 @@ class PosesPage : public QWidget {
   void fillTable();
   void fillRow(int row);
   QString resultText() const;
+  QString closureText() const;
   void savePoses();
 
   Theme theme_ = Theme::dark();
