@@ -27,6 +27,7 @@ void addConvert(CLI::App& app, ExitCode& exit);
 void addDevices(CLI::App& app, ExitCode& exit);
 void addDiagnose(CLI::App& app, ExitCode& exit);
 void addReport(CLI::App& app, ExitCode& exit);
+void addExport(CLI::App& app, ExitCode& exit);
 void addFigures(CLI::App& app, ExitCode& exit);
 void addStudy(CLI::App& app, ExitCode& exit);
 void addLearn(CLI::App& app, ExitCode& exit);

@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -7,6 +5,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/console.h"
+#include "app/cli/export_output.h"
 #include "app/cli/file_drawing.h"
 #include "app/cli/outputs.h"
 #include "core/analysis/results_to_draw.h"
@@ -97,18 +96,7 @@ ExitCode figures(const FiguresArguments& arguments) {
     return kFailed;
   }
   const widgets::ExportReport report = draw(results, arguments, options);
-  for (const std::string& missing : report.missing) notice(missing);
-  output.text(fmt::format("{} figures and {} tables, {} files: {}\n", report.figures, report.tables,
-                          report.files.size(), report.files.back().string()));
-  nlohmann::json files = nlohmann::json::array();
-  for (const fs::path& file : report.files) files.push_back(file.string());
-  output.json({{"figures", report.figures},
-               {"tables", report.tables},
-               {"files", files},
-               {"missing", report.missing},
-               {"cancelled", report.cancelled}});
-  if (report.cancelled) notice("cancelled: the folder holds the figures that were finished");
-  return report.cancelled ? kFailed : kOk;
+  return print(report, output);
 }
 
 }  // namespace

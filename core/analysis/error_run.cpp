@@ -74,9 +74,10 @@ std::vector<std::string> resultsWithin(const fs::path& folder) {
 
 /// Errors of the pipeline on `source` when it assumes `robot`, with the texts of `names`.
 ErrorRun trackSource(tracking::Source& source, const robot::Description& robot, ErrorRun names,
-                     base::Progress& progress) {
+                     const RunWatch& watch, base::Progress& progress) {
   tracking::SourceInfo info = source.info();
   info.robot = robot;
+  watch.begin(info);
   tracking::TrackingPipeline pipeline = tracking::makePipeline(info);
   ErrorCollector collector(kRecordingCapacity);
   experiments::SessionMotion motion(kRecordingCapacity, info.reference || info.own_kinematics);
@@ -85,6 +86,7 @@ ErrorRun trackSource(tracking::Source& source, const robot::Description& robot, 
                          [&](const tracking::Sample&, const tracking::Snapshot& snapshot) {
                            collector.take(snapshot);
                            motion.take(snapshot);
+                           watch.take(snapshot);
                          });
   ErrorRun run = std::move(names);
   ErrorRun found = collector.run();
@@ -107,7 +109,7 @@ ErrorRun trackSource(tracking::Source& source, const robot::Description& robot, 
 enum class Reference { kNeeded, kOptional };
 
 ErrorRun trackFile(const fs::path& recording, const fs::path& robot, Reference reference,
-                   base::Progress& progress) {
+                   const RunWatch& watch, base::Progress& progress) {
   progress.report(0.0, "opening");
   const robot::Description believed = robot::readDescriptionOrDefault(robot);
   ErrorRun names;
@@ -130,7 +132,7 @@ ErrorRun trackFile(const fs::path& recording, const fs::path& robot, Reference r
     names.name += "-" + experiments::fileNameOf(robot.stem().string());
   }
   names.kinematic_robot = names.filter_robot;
-  return trackSource(*source, robot.empty() ? info.robot : believed, std::move(names), progress);
+  return trackSource(*source, robot.empty() ? info.robot : believed, std::move(names), watch, progress);
 }
 
 void requireResults(const fs::path& folder) {
@@ -198,12 +200,13 @@ ErrorRun ErrorCollector::run() const {
   return run;
 }
 
-ErrorRun trackRun(const fs::path& recording, const fs::path& robot, base::Progress& progress) {
-  return trackFile(recording, robot, Reference::kOptional, progress);
+ErrorRun trackRun(const fs::path& recording, const fs::path& robot, base::Progress& progress,
+                  const RunWatch& watch) {
+  return trackFile(recording, robot, Reference::kOptional, watch, progress);
 }
 
 ErrorRun trackErrors(const fs::path& recording, const fs::path& robot, base::Progress& progress) {
-  ErrorRun run = trackFile(recording, robot, Reference::kNeeded, progress);
+  ErrorRun run = trackFile(recording, robot, Reference::kNeeded, {}, progress);
   if (!progress.cancelled() && run.errors.empty())
     refuse(recording.string(), {}, {},
            "holds no instant at which motors and joint encoders were read together",

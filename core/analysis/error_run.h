@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <mutex>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "core/analysis/kept_points.h"
 #include "core/base/progress.h"
 #include "core/experiments/results.h"
+#include "core/tracking/source.h"
 
 namespace capstan::analysis {
 
@@ -88,9 +90,14 @@ class ErrorCollector {
 /// figures` all use this function.
 ErrorRun trackErrors(const std::filesystem::path& recording, const std::filesystem::path& robot,
                      base::Progress& progress);
+/// What trackRun() meets on its way: the source with the robot that the estimator assumes, then each snapshot.
+struct RunWatch {
+  std::function<void(const tracking::SourceInfo&)> begin = [](const tracking::SourceInfo&) {};
+  std::function<void(const tracking::Snapshot&)> take = [](const tracking::Snapshot&) {};
+};
 /// As trackErrors(), but accepts a recording without reference: it has a trajectory and no errors.
 ErrorRun trackRun(const std::filesystem::path& recording, const std::filesystem::path& robot,
-                  base::Progress& progress);
+                  base::Progress& progress, const RunWatch& watch = {});
 
 /// Reads the errors of one trial from an experiment's results (a folder with results.json); empty `trial`:
 /// the first one with errors. Kinematic errors are those of the nominal robot. Occluded time is that of

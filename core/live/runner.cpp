@@ -42,9 +42,12 @@ void Runner::listen(Listener listener) { impl_->listen(std::move(listener)); }
 void Runner::resetErrors() { impl_->resetErrors(); }
 void Runner::note(std::string text) { impl_->note(std::move(text)); }
 void Runner::post(Command command) { impl_->command(std::move(command)); }
-void Runner::startRecording(const std::filesystem::path& path, recording::SessionHeader header,
+recording::SessionHeader Runner::inUse(recording::SessionHeader header) const {
+  return impl_->inUse(std::move(header));
+}
+void Runner::startRecording(const std::filesystem::path& path, const recording::SessionHeader& header,
                             const recording::RecorderOptions& options) {
-  impl_->startRecording(path, std::move(header), options);
+  impl_->startRecording(path, header, options);
 }
 void Runner::stopRecording() { impl_->stopRecording(); }
 std::shared_ptr<const recording::Recorder> Runner::recorder() const { return impl_->recorder(); }

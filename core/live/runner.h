@@ -101,10 +101,11 @@ class Runner {
   using Command = std::function<void(tracking::Source&, tracking::TrackingPipeline&)>;
   void post(Command command);
 
-  /// Creates the file at once and records from the next sample on. Adds the robot, the registration and the
-  /// tracking options in use to `header`. Stops a recording under way. Throws base::InputError if the file
+  /// `header` with the robot, registration, marker and tracking options in use now.
+  recording::SessionHeader inUse(recording::SessionHeader header) const;
+  /// Creates the file at once and records from the next sample on, under inUse(header). Stops a recording under way. Throws base::InputError if the file
   /// cannot be created.
-  void startRecording(const std::filesystem::path& path, recording::SessionHeader header,
+  void startRecording(const std::filesystem::path& path, const recording::SessionHeader& header,
                       const recording::RecorderOptions& options = {});
   void stopRecording();  ///< closes the file in the background
   /// Current recorder, or the last one; null: none yet. It is closed when this runner is destroyed.

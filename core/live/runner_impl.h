@@ -148,8 +148,7 @@ class Runner::Impl {
     post([this, given = std::move(given)] { given(*source_, pipeline_); });
   }
 
-  void startRecording(const std::filesystem::path& path, recording::SessionHeader header,
-                      const recording::RecorderOptions& options) {
+  recording::SessionHeader inUse(recording::SessionHeader header) const {
     {
       const std::lock_guard lock(mutex_);
       if (registration_) header.base_from_camera = registration_;
@@ -157,7 +156,11 @@ class Runner::Impl {
       header.robot = base::writeYaml(robot_);
     }
     if (header.tracking.empty()) header.tracking = base::writeYaml(tracking_);
-    auto recorder = std::make_shared<recording::Recorder>(path, header, options);
+    return header;
+  }
+  void startRecording(const std::filesystem::path& path, const recording::SessionHeader& header,
+                      const recording::RecorderOptions& options) {
+    auto recorder = std::make_shared<recording::Recorder>(path, inUse(header), options);
     post([this, recorder] {
       recording_.begin(recorder);
       for (const std::string& words : blocking_.words()) recording_.noteOcclusion(t_, words, !info_.live);

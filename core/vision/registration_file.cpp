@@ -31,9 +31,12 @@ Eigen::Isometry3d readRegistration(const std::filesystem::path& path) {
   return base_from_camera;
 }
 
+std::string formatRegistration(const Eigen::Isometry3d& base_from_camera) {
+  return base::writeYaml(RegistrationFile{base_from_camera.translation(), base_from_camera.linear()});
+}
+
 void writeRegistration(const Eigen::Isometry3d& base_from_camera, const std::filesystem::path& path) {
-  base::writeTextFile(
-      path, base::writeYaml(RegistrationFile{base_from_camera.translation(), base_from_camera.linear()}));
+  base::writeTextFile(path, formatRegistration(base_from_camera));
 }
 
 }  // namespace capstan::vision

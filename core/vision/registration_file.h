@@ -2,12 +2,15 @@
 
 #include <Eigen/Geometry>
 #include <filesystem>
+#include <string>
 
 namespace capstan::vision {
 
 /// Reads base_from_camera from a registration file (YAML). Throws base::InputError with file, key and remedy,
 /// also for a rotation that is none.
 Eigen::Isometry3d readRegistration(const std::filesystem::path& path);
+/// Text of a registration file.
+std::string formatRegistration(const Eigen::Isometry3d& base_from_camera);
 void writeRegistration(const Eigen::Isometry3d& base_from_camera, const std::filesystem::path& path);
 
 }  // namespace capstan::vision

@@ -23,6 +23,16 @@ std::vector<std::string> namesOf(const std::vector<fs::path>& files) {
   return names;
 }
 
+/// A drawing of a figure, which is made when it is drawn.
+ExportDrawing drawingOf(ExperimentFigure figure) {
+  const std::string name = figure.name;
+  return {name, [figure = std::move(figure)](const fs::path& folder, const PageOptions& pages) {
+            const auto made = figure.make();
+            return IndexFigure{figure.name, made->caption().toStdString(),
+                               namesOf(exportFigure(*made, folder / figure.name, pages))};
+          }};
+}
+
 std::vector<ExperimentFigure> wanted(const std::vector<Results>& results,
                                      const std::vector<FigureKind>& kinds) {
   std::vector<ExperimentFigure> figures;
@@ -88,13 +98,16 @@ FigureExport::FigureExport(std::vector<Results> results, fs::path folder, const 
     : results_(std::move(results)),
       folder_(std::move(folder)),
       pages_(options.size, options.titles),
-      figures_(std::move(extras.figures)),
-      tables_(std::move(extras.tables)) {
+      drawings_(std::move(extras.drawings)),
+      tables_(std::move(extras.tables)),
+      settings_(std::move(extras.settings)) {
   checkExportFolder(folder_);
-  for (ExperimentFigure& figure : wanted(results_, options.kinds)) figures_.push_back(std::move(figure));
+  for (ExperimentFigure& figure : extras.figures) drawings_.push_back(drawingOf(std::move(figure)));
+  for (ExperimentFigure& figure : wanted(results_, options.kinds))
+    drawings_.push_back(drawingOf(std::move(figure)));
   if (options.tables)
     for (experiments::NamedTable& table : tablesOf(results_)) tables_.push_back(std::move(table));
-  if (figures_.empty() && tables_.empty())
+  if (drawings_.empty() && tables_.empty())
     refuse(folder_, "would stay empty: the results have no data for the chosen figures and tables",
            "Run the experiment whose figures these are");
   report_.missing = missingOf(results_);
@@ -104,30 +117,38 @@ FigureExport::FigureExport(std::vector<Results> results, fs::path folder, const 
 }
 
 double FigureExport::fraction() const {
-  return drawn() ? 1.0 : static_cast<double>(report_.figures) / static_cast<double>(figures_.size());
+  return drawn() ? 1.0 : static_cast<double>(report_.figures) / static_cast<double>(drawings_.size());
 }
 
 void FigureExport::draw() {
-  const ExperimentFigure& next = figures_[report_.figures];
-  const auto figure = next.make();
-  const auto files = exportFigure(*figure, folder_ / next.name, pages_);
-  report_.files.insert(report_.files.end(), files.begin(), files.end());
-  page_.figures.push_back({next.name, figure->caption().toStdString(), namesOf(files)});
+  page_.figures.push_back(drawings_[report_.figures].draw(folder_, pages_));
+  for (const std::string& file : page_.figures.back().files) report_.files.push_back(folder_ / file);
   ++report_.figures;
 }
 
 ExportReport FigureExport::finish() {
   report_.cancelled = !drawn();
   for (const auto& table : tables_) page_.tables.push_back(writeTable(table, folder_, report_));
+  writeSettings();
   if (report_.cancelled) page_.missing.insert(page_.missing.begin(), "Cancelled: not all figures are here.");
   base::writeTextFile(folder_ / kIndexFile, indexPage(page_));
   report_.files.push_back(folder_ / kIndexFile);
   return report_;
 }
 
+void FigureExport::writeSettings() {
+  if (settings_.empty()) return;
+  page_.others.push_back({"Settings", {}});
+  for (const analysis::SettingsFile& file : settings_) {
+    base::writeTextFile(folder_ / file.name, file.text);
+    report_.files.push_back(folder_ / file.name);
+    page_.others.back().files.push_back(file.name);
+  }
+}
+
 ExportReport exportAll(const std::vector<Results>& results, const fs::path& folder,
-                       const ExportOptions& options, base::Progress* progress) {
-  FigureExport all(results, folder, options);
+                       const ExportOptions& options, base::Progress* progress, ExportExtras extras) {
+  FigureExport all(results, folder, options, std::move(extras));
   while (!all.drawn()) {
     if (progress) progress->report(all.fraction(), all.name());
     all.draw();

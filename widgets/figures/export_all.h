@@ -1,9 +1,11 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
+#include "core/analysis/session_record.h"
 #include "core/base/progress.h"
 #include "core/experiments/results.h"
 #include "core/experiments/tables.h"
@@ -22,10 +24,19 @@ struct ExportOptions {
   bool tables = true;
 };
 
-/// Figures and tables added to those of the results: the comparison of two runs.
+/// A drawing of an export: writes files that begin with its name into a folder.
+struct ExportDrawing {
+  std::string name;
+  std::function<IndexFigure(const std::filesystem::path& folder, const PageOptions& pages)> draw;
+};
+
+/// What is added to the figures and tables of the results: the comparison of two runs, or the rest of a
+/// session (session_extras.h).
 struct ExportExtras {
   std::vector<ExperimentFigure> figures = {};
+  std::vector<ExportDrawing> drawings = {};
   std::vector<experiments::NamedTable> tables = {};
+  std::vector<analysis::SettingsFile> settings = {};
 };
 
 struct ExportReport {
@@ -49,26 +60,30 @@ class FigureExport {
   FigureExport(const FigureExport&) = delete;  // figures refer to the results
   FigureExport& operator=(const FigureExport&) = delete;
 
-  bool drawn() const { return report_.figures == figures_.size(); }           ///< all figures are drawn
+  bool drawn() const { return report_.figures == drawings_.size(); }           ///< all figures are drawn
   double fraction() const;                                                    ///< share done, 0…1
-  const std::string& name() const { return figures_[report_.figures].name; }  ///< not if drawn()
+  const std::string& name() const { return drawings_[report_.figures].name; }  ///< not if drawn()
   /// Draws the next figure; call it on the thread of the application's windows. Throws base::InputError.
   void draw();
-  /// Writes tables and index page. Called before all figures are drawn, it reports a cancelled export.
+  /// Writes tables, settings and index page. Called before all figures are drawn, it reports a cancelled export.
   ExportReport finish();
 
  private:
+  void writeSettings();
+
   const std::vector<experiments::Results> results_;
   std::filesystem::path folder_;
   PageOptions pages_;
-  std::vector<ExperimentFigure> figures_;
+  std::vector<ExportDrawing> drawings_;
   std::vector<experiments::NamedTable> tables_;
+  std::vector<analysis::SettingsFile> settings_;
   ExportReport report_;
   IndexPage page_;
 };
 
 /// Runs the whole export. Cancelling `progress` ends it after the present figure.
 ExportReport exportAll(const std::vector<experiments::Results>& results, const std::filesystem::path& folder,
-                       const ExportOptions& options = {}, base::Progress* progress = nullptr);
+                       const ExportOptions& options = {}, base::Progress* progress = nullptr,
+                       ExportExtras extras = {});
 
 }  // namespace capstan::widgets

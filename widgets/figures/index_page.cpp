@@ -39,6 +39,8 @@ std::string indexPage(const IndexPage& page) {
   if (!page.figures.empty()) html += "</div>\n";
   if (!page.tables.empty()) html += "<h2>Tables</h2>\n";
   for (const IndexTable& table : page.tables) html += htmlTable(table.table) + links(table.files, {});
+  for (const IndexFiles& one : page.others)
+    html += "<h2>" + htmlEscaped(one.heading) + "</h2>\n" + links(one.files, {});
   return html + "</body></html>\n";
 }
 

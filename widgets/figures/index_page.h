@@ -20,11 +20,18 @@ struct IndexTable {
   std::vector<std::string> files;
 };
 
+/// Files of one subject under one heading.
+struct IndexFiles {
+  std::string heading;
+  std::vector<std::string> files;
+};
+
 struct IndexPage {
   std::string title, software;
   bool simulated = false;
   std::vector<IndexFigure> figures;
   std::vector<IndexTable> tables;
+  std::vector<IndexFiles> others;
   std::vector<std::string> missing;  ///< figures that could not be drawn, and why
 };
 

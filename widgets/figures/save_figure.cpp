@@ -174,14 +174,17 @@ std::vector<std::unique_ptr<JointFigure>> jointPages(const JointHistory& history
   return pages;
 }
 
-void saveJointFigure(const JointHistory& history, const std::array<QString, 3>& joint_names, double begin,
+std::vector<std::filesystem::path> saveJointFigure(const JointHistory& history, const std::array<QString, 3>& joint_names, double begin,
                      double end, const std::filesystem::path& path, QSize size) {
   const auto pages = jointPages(history, joint_names, begin, end, size);
+  std::vector<std::filesystem::path> files;
   for (std::size_t i = 0; i < pages.size(); ++i) {
     const std::string number = pages.size() > 1 ? "-page-" + std::to_string(i + 1) : std::string();
     const std::string name = path.stem().string() + number + path.extension().string();
-    saveFigure(*pages[i], path.parent_path() / name, size);
+    files.push_back(path.parent_path() / name);
+    saveFigure(*pages[i], files.back(), size);
   }
+  return files;
 }
 
 void saveJointTable(const JointHistory& history, double begin, double end,
@@ -192,11 +195,15 @@ void saveJointTable(const JointHistory& history, double begin, double end,
   base::writeTextFile(path, lines.text());
 }
 
-void exportJointFigure(const JointHistory& history, const std::array<QString, 3>& joint_names, double begin,
+std::vector<std::filesystem::path> exportJointFigure(const JointHistory& history, const std::array<QString, 3>& joint_names, double begin,
                        double end, const std::filesystem::path& base, QSize size) {
+  std::vector<std::filesystem::path> files;
   for (const char* ending : {".pdf", ".svg", ".png"})
-    saveJointFigure(history, joint_names, begin, end, base.string() + ending, size);
-  saveJointTable(history, begin, end, base.string() + ".csv");
+    for (auto& file : saveJointFigure(history, joint_names, begin, end, base.string() + ending, size))
+      files.push_back(std::move(file));
+  files.push_back(base.string() + ".csv");
+  saveJointTable(history, begin, end, files.back());
+  return files;
 }
 
 }  // namespace capstan::widgets

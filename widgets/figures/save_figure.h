@@ -21,9 +21,11 @@ std::vector<std::unique_ptr<JointFigure>> jointPages(const JointHistory& history
                                                      const std::array<QString, 3>& joint_names, double begin,
                                                      double end, QSize size);
 
-/// Writes the joint plots to a file, or to NAME-page-1 and so on. Endings and errors as saveFigure().
-void saveJointFigure(const JointHistory& history, const std::array<QString, 3>& joint_names, double begin,
-                     double end, const std::filesystem::path& path, QSize size = {1200, 900});
+/// Writes the joint plots to a file, or to NAME-page-1 and so on, and returns the files. Endings and errors as
+/// saveFigure().
+std::vector<std::filesystem::path> saveJointFigure(const JointHistory& history, const std::array<QString, 3>& joint_names, double begin,
+                                                   double end, const std::filesystem::path& path,
+                                                   QSize size = {1200, 900});
 
 /// Writes the values of the joint plots as CSV, one row per time: t [s], then for each joint true, kinematic,
 /// camera (at its own times), UKF and its sigma, in deg, deg, mm; cells without a value are empty. Before
@@ -32,8 +34,8 @@ void saveJointFigure(const JointHistory& history, const std::array<QString, 3>& 
 /// highest. Throws base::InputError for a path that cannot be written.
 void saveJointTable(const JointHistory& history, double begin, double end, const std::filesystem::path& path);
 
-/// Writes base.pdf, base.svg, base.png and base.csv. Throws base::InputError.
-void exportJointFigure(const JointHistory& history, const std::array<QString, 3>& joint_names, double begin,
+/// Writes base.pdf, base.svg, base.png and base.csv, and returns the files. Throws base::InputError.
+std::vector<std::filesystem::path> exportJointFigure(const JointHistory& history, const std::array<QString, 3>& joint_names, double begin,
                        double end, const std::filesystem::path& base, QSize size = {1200, 900});
 
 }  // namespace capstan::widgets

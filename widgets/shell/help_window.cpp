@@ -1,7 +1,10 @@
 #include "widgets/shell/help_window.h"
 
+#include <QAbstractTextDocumentLayout>
 #include <QFileInfo>
 #include <QLineEdit>
+#include <QScrollBar>
+#include <QTextBlock>
 #include <QTextBrowser>
 #include <QTextTable>
 #include <QVBoxLayout>
@@ -25,6 +28,14 @@ void drawTablesQuietly(QTextDocument& document) {
     format.setCellPadding(5.0);
     table->setFormat(format);
   }
+}
+
+/// The heading with this text; an invalid block: there is none.
+QTextBlock headingOf(const QTextDocument& document, const QString& text) {
+  QTextBlock block = document.begin();
+  while (block.isValid() && (block.blockFormat().headingLevel() == 0 || block.text() != text))
+    block = block.next();
+  return block;
 }
 
 }  // namespace
@@ -54,15 +65,39 @@ HelpWindow::HelpWindow(QWidget* parent) : QDialog(parent), pages_(new Pages) {
   column->addWidget(pages_, 1);
   pages_->setOpenExternalLinks(true);
   pages_->setFrameShape(QFrame::NoFrame);
+  pages_->resize(820, 700);
+  connect(pages_, &QTextBrowser::sourceChanged, this, [this] { drawTablesQuietly(*pages_->document()); });
+  open(QStringLiteral("manual.md"));
+}
+
+/// With a source, links lead to the other pages and back.
+void HelpWindow::open(const QString& page) {
   try {
-    const QString path = QString::fromStdString(base::resource("manual/manual.md").string());
+    const QString path = QString::fromStdString(base::resource("manual/" + page.toStdString()).string());
     pages_->setSearchPaths({QFileInfo(path).absolutePath()});
-    pages_->resize(820, 700);
-    connect(pages_, &QTextBrowser::sourceChanged, this, [this] { drawTablesQuietly(*pages_->document()); });
-    pages_->setSource(QUrl::fromLocalFile(path));  // with a source, links lead to the other pages and back
+    pages_->setSource(QUrl::fromLocalFile(path));
   } catch (const base::InputError& error) {
     pages_->setPlainText(QString::fromStdString(error.what()));
   }
+}
+
+void HelpWindow::show(const HelpTopic& topic) {
+  show();
+  raise();
+  if (QFileInfo(pages_->source().path()).fileName() != topic.page) open(topic.page);
+  const QTextBlock heading = headingOf(*pages_->document(), topic.section);
+  QTextCursor begin(pages_->document());
+  if (heading.isValid()) begin.setPosition(heading.position());
+  pages_->setTextCursor(begin);
+  const double top =
+      heading.isValid() ? pages_->document()->documentLayout()->blockBoundingRect(heading).top() : 0.0;
+  pages_->verticalScrollBar()->setValue(static_cast<int>(top));
+}
+
+QString HelpWindow::section() const {
+  QTextBlock block = pages_->cursorForPosition(QPoint(2, 2)).block();
+  while (block.isValid() && block.blockFormat().headingLevel() == 0) block = block.previous();
+  return block.text();
 }
 
 QString HelpWindow::text() const { return pages_->toPlainText(); }

@@ -2,6 +2,8 @@
 
 #include <QDialog>
 
+#include "widgets/shell/help_topics.h"
+
 namespace capstan::widgets {
 
 /// The manual of resources/manual in a non-modal window with a search line.
@@ -10,12 +12,18 @@ class HelpWindow : public QDialog {
 
  public:
   explicit HelpWindow(QWidget* parent = nullptr);
-  /// The manual as plain text; empty if it was not found.
+  /// Shows a page of the manual with its section at the top.
+  void show(const HelpTopic& topic);
+  using QDialog::show;
+  /// The page as plain text; empty if the manual was not found.
   QString text() const;
+  /// Heading at or above the top of the view; empty: none.
+  QString section() const;
 
  private:
   class Pages;
   void find(const QString& words);
+  void open(const QString& page);
 
   Pages* pages_;
 };

@@ -3,11 +3,11 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QToolButton>
+#include <utility>
 
 namespace capstan::widgets {
 
-MessageBar::MessageBar(QWidget* parent) : QFrame(parent) {
-  auto* row = new QHBoxLayout(this);
+MessageBar::MessageBar(QWidget* parent) : QFrame(parent), row_(new QHBoxLayout(this)) {
   text_ = new QLabel;
   text_->setWordWrap(true);
   text_->setTextFormat(Qt::PlainText);
@@ -15,21 +15,42 @@ MessageBar::MessageBar(QWidget* parent) : QFrame(parent) {
   auto* close = new QToolButton;
   close->setText(tr("Close"));
   connect(close, &QToolButton::clicked, this, &QWidget::hide);
-  row->addWidget(text_, 1);
-  row->addWidget(close);
+  row_->addWidget(text_, 1);
+  row_->addWidget(close);
   setTheme(Theme::dark());
   hide();
 }
 
 void MessageBar::setTheme(const Theme& theme) {
+  theme_ = theme;
+  const QColor& edge = fault_ ? theme.fault : theme.accent;
   setStyleSheet(QStringLiteral("capstan--widgets--MessageBar { border-left: 6px solid %1; background: %2; }")
-                    .arg(theme.fault.name(), theme.raised.name()));
+                    .arg(edge.name(), theme.raised.name()));
+}
+
+void MessageBar::put(const QString& text, const QString& about, bool fault) {
+  for (QToolButton* button : std::exchange(buttons_, {})) button->deleteLater();
+  about_ = about;
+  text_->setText(text);
+  if (std::exchange(fault_, fault) != fault) setTheme(theme_);
+  show();
 }
 
 void MessageBar::showMessage(const QString& text, const QString& about) {
-  about_ = about;
-  text_->setText(tr("Fault: %1").arg(text));
-  show();
+  put(tr("Fault: %1").arg(text), about, true);
+}
+
+void MessageBar::showNews(const QString& text, const std::vector<MessageAction>& actions,
+                          const QString& about) {
+  put(text, about, false);
+  for (const MessageAction& action : actions) {
+    auto* button = new QToolButton;
+    button->setText(action.text);
+    row_->insertWidget(row_->count() - 1, button);
+    connect(button, &QToolButton::clicked, this, &QWidget::hide);
+    connect(button, &QToolButton::clicked, this, action.act);
+    buttons_.push_back(button);
+  }
 }
 
 void MessageBar::settle(const QString& about) {
