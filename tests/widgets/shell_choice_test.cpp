@@ -7,6 +7,7 @@
 #include <QTemporaryDir>
 
 #include "core/base/error.h"
+#include "widgets/shell/recent_menu.h"
 #include "widgets/shell/recorder_options.h"
 #include "widgets/shell/simulation_dialog.h"
 #include "widgets/shell/source_menu.h"
@@ -118,11 +119,11 @@ TEST(SourceMenu, ListsTheNewestFileFirstAndOnce) {
   SourceMenu menu;
   for (int i = 0; i < 12; ++i) menu.remember(SourceChoice::ofFile(QString("/data/%1.capstan").arg(i)));
   menu.remember(SourceChoice::ofFile("/data/7.capstan"));
-  ASSERT_EQ(menu.recentFiles().size(), SourceMenu::kMostRecent);
-  EXPECT_EQ(menu.recentFiles().front(), "/data/7.capstan");
-  EXPECT_EQ(menu.recentFiles().count("/data/7.capstan"), 1);
+  ASSERT_EQ(menu.recent().files().size(), RecentMenu::kMost);
+  EXPECT_EQ(menu.recent().files().front(), "/data/7.capstan");
+  EXPECT_EQ(menu.recent().files().count("/data/7.capstan"), 1);
   menu.remember(SourceChoice::ofSimulation(unusualRequest()));
-  EXPECT_EQ(menu.recentFiles().front(), "/data/7.capstan");
+  EXPECT_EQ(menu.recent().files().front(), "/data/7.capstan");
   EXPECT_EQ(menu.dialog().request(), unusualRequest());
 }
 

@@ -169,9 +169,9 @@ TEST_F(Operator, AFaultOfAnExportGoesWithTheNextThatSucceeds) {
   window->open(atRest());
   ASSERT_TRUE(opened(*window));
   ASSERT_TRUE(waitFor([&] { return window->figure().history().end() > 0.5; }));
-  window->exportFigure("/proc/nowhere/plots");
+  window->exports().exportPlots("/proc/nowhere/plots");
   ASSERT_FALSE(window->message().isEmpty());
-  window->exportFigure(file("plots"));
+  window->exports().exportPlots(file("plots"));
   EXPECT_TRUE(window->message().isEmpty()) << window->message().toStdString();
 }
 

@@ -11,6 +11,7 @@
 #include "tests/widgets/shell_fixture.h"
 #include "widgets/panels/notes/notes_panel.h"
 #include "widgets/panels/occlusion/occlusion_panel.h"
+#include "widgets/shell/recent_menu.h"
 #include "widgets/shell/source_menu.h"
 #include "widgets/shell/units_dialog.h"
 
@@ -26,7 +27,7 @@ TEST_F(Shell, SaysWhatIsWrongWithAFileAndKeepsTheSession) {
   EXPECT_TRUE(window->message().contains("gone.capstan")) << window->message().toStdString();
   EXPECT_EQ(stateOf(*window), live::RunState::kRunning);
   EXPECT_TRUE(window->lastSource().simulated) << "a file that could not be opened is no last source";
-  EXPECT_TRUE(window->bar().sources().recentFiles().isEmpty());
+  EXPECT_TRUE(window->bar().sources().recent().files().isEmpty());
 }
 
 /// The same recording gives the same errors, bit by bit, whichever face tracks it.

@@ -177,10 +177,10 @@ TEST_F(Shell, ExportsThePlotsAndTheirNumbers) {
   window->open(atRest());
   ASSERT_TRUE(opened(*window));
   ASSERT_TRUE(waitFor([&] { return window->figure().history().end() > 0.5; }));
-  window->exportFigure(file("plots.pdf"));
+  window->exports().exportPlots(file("plots.pdf"));
   for (const char* ending : {"pdf", "svg", "png", "csv"})
     EXPECT_GT(QFileInfo(file(QString("plots.%1").arg(ending))).size(), 500) << ending;
-  window->exportFigure("/proc/nowhere/plots");
+  window->exports().exportPlots("/proc/nowhere/plots");
   EXPECT_TRUE(window->message().contains("/proc/nowhere/plots")) << window->message().toStdString();
 }
 

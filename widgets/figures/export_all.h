@@ -34,8 +34,8 @@ struct ExportDrawing {
 /// session (session_extras.h).
 struct ExportExtras {
   std::vector<ExperimentFigure> figures = {};
-  std::vector<ExportDrawing> drawings = {};
   std::vector<experiments::NamedTable> tables = {};
+  std::vector<ExportDrawing> drawings = {};
   std::vector<analysis::SettingsFile> settings = {};
 };
 

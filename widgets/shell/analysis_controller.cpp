@@ -16,10 +16,10 @@ namespace capstan::widgets {
 AnalysisController::AnalysisController(AnalysisPanel& panel, QStackedWidget& centre, SessionLink& link,
                                        SessionBar& bar, ErrorsPanel& errors, NotesPanel& notes,
                                        QObject* parent)
-    : QObject(parent), panel_(panel) {
+    : QObject(parent), panel_(panel), link_(link) {
   addAction(centre, bar);
-  gather(link);
-  panel_.setSession([this, &link] { return sessionSoFar(link); });
+  gather();
+  panel_.setSession([this] { return withErrors(); });
   connect(&errors, &ErrorsPanel::resetRequested, this, [this] { gathered_->restart(); });
   connect(&panel, &AnalysisPanel::exported, this,
           [this, &notes](const QString& base) { notes.addFile(now_, "export", base); });
@@ -40,9 +40,9 @@ void AnalysisController::addAction(QStackedWidget& centre, SessionBar& bar) {
 }
 
 /// Called on the pipeline's thread. A change of the robot restarts the errors, as in the errors table.
-void AnalysisController::gather(SessionLink& link) {
-  connect(&link, &SessionLink::opened, this,
-          [this, &link](const tracking::SourceInfo& info, const SourceChoice& choice) {
+void AnalysisController::gather() {
+  connect(&link_, &SessionLink::opened, this,
+          [this](const tracking::SourceInfo& info, const SourceChoice& choice) {
             files_.clear();
             if (choice.isRecording()) noteFile(choice.file);
             gathered_ = std::make_shared<Gathered>();
@@ -52,7 +52,7 @@ void AnalysisController::gather(SessionLink& link) {
               names[i] = QString::fromStdString(info.robot.joints[i].name);
             panel_.setJointNames(names);
             const auto robot = std::make_shared<std::string>(robot::formatDescription(info.robot));
-            link.listen(this,
+            link_.listen(this,
                         {[gathered = gathered_, robot](const tracking::TrackingPipeline& pipeline) {
                            std::string now = robot::formatDescription(pipeline.robot());
                            if (now != *robot) gathered->restart();
@@ -64,7 +64,7 @@ void AnalysisController::gather(SessionLink& link) {
                          }});
             panel_.sessionOpened();
           });
-  connect(&link, &SessionLink::status, this, [this](const live::RunStatus& status) {
+  connect(&link_, &SessionLink::status, this, [this](const live::RunStatus& status) {
     now_ = status.t;
     noteFile(QString::fromStdString(status.recording));
   });
@@ -75,26 +75,30 @@ void AnalysisController::noteFile(const QString& file) {
   if (!path.empty() && std::find(files_.begin(), files_.end(), path) == files_.end()) files_.push_back(path);
 }
 
-analysis::ErrorRun AnalysisController::sessionSoFar(const SessionLink& link) const {
-  if (!link.runner())
+analysis::ErrorRun AnalysisController::withErrors() const {
+  analysis::ErrorRun run = soFar();
+  if (!run.errors.empty()) return run;
+  const tracking::SourceInfo& info = link_.runner()->info();
+  const bool ever = info.reference || info.own_kinematics;
+  throw base::InputError({info.title,
+                          0,
+                          {},
+                          {},
+                          ever ? "has no errors yet" : "has no joint encoders, so its errors are not known",
+                          ever ? "Let it run, then Refresh (F5)" : "Choose a recording with a reference"});
+}
+
+analysis::ErrorRun AnalysisController::soFar() const {
+  if (!link_.runner())
     throw base::InputError({"this session", 0, {}, {}, "is not open", "Open a source first"});
-  const tracking::SourceInfo& info = link.runner()->info();
+  const tracking::SourceInfo& info = link_.runner()->info();
   analysis::ErrorRun run = gathered_->errors.run();
-  if (run.errors.empty()) {
-    const bool ever = info.reference || info.own_kinematics;
-    throw base::InputError({info.title,
-                            0,
-                            {},
-                            {},
-                            ever ? "has no errors yet" : "has no joint encoders, so its errors are not known",
-                            ever ? "Let it run, then Refresh (F5)" : "Choose a recording with a reference"});
-  }
   run.trajectory = gathered_->motion.trajectory();
   run.title = info.title;
   run.motion = "session " + info.title;
   run.files = files_;
-  run.filter_robot = link.runner()->robot().name;
-  if (robot::formatDescription(link.runner()->robot()) != robot::formatDescription(info.robot))
+  run.filter_robot = link_.runner()->robot().name;
+  if (robot::formatDescription(link_.runner()->robot()) != robot::formatDescription(info.robot))
     run.filter_robot += ", changed in this session";
   run.kinematic_robot = run.filter_robot;
   run.own_kinematics = info.own_kinematics;

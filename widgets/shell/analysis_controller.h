@@ -28,14 +28,19 @@ class AnalysisController : public QObject {
   AnalysisController(AnalysisPanel& panel, QStackedWidget& centre, SessionLink& link, SessionBar& bar,
                      ErrorsPanel& errors, NotesPanel& notes, QObject* parent);
 
+  /// Errors and motion of the session since its error table began; without errors where it has no reference.
+  /// Throws base::InputError without a session.
+  analysis::ErrorRun soFar() const;
+
  private:
   void addAction(QStackedWidget& centre, SessionBar& bar);
-  void gather(SessionLink& link);
-  analysis::ErrorRun sessionSoFar(const SessionLink& link) const;
+  void gather();
+  analysis::ErrorRun withErrors() const;
   /// Registers a file that contains the session: a file that it replays, or one that it has recorded.
   void noteFile(const QString& file);
 
   AnalysisPanel& panel_;
+  SessionLink& link_;
   /// Data gathered on the pipeline's thread.
   struct Gathered {
     analysis::ErrorCollector errors;

@@ -1,6 +1,7 @@
 #include "widgets/shell/layout_controller.h"
 
 #include <QDockWidget>
+#include <QEvent>
 #include <QInputDialog>
 #include <QMainWindow>
 #include <QSettings>
@@ -31,7 +32,19 @@ LayoutController::LayoutController(QMainWindow& window, QSettings& settings, Set
   reset_->setObjectName("layoutReset");
   connect(save_, &QAction::triggered, this, &LayoutController::askName);
   connect(reset_, &QAction::triggered, this, &LayoutController::reset);
+  for (auto* dock : window.findChildren<QDockWidget*>())
+    if (dock->allowedAreas() != Qt::NoDockWidgetArea) dock->installEventFilter(this);
   fill();
+}
+
+bool LayoutController::eventFilter(QObject* watched, QEvent* event) {
+  auto* dock = qobject_cast<QDockWidget*>(watched);
+  if (dock && event->type() == QEvent::Close) {
+    const QByteArray before = window_.saveState(kVersion);
+    undo_.changed(tr("closing of %1").arg(dock->windowTitle()),
+                  [this, before] { window_.restoreState(before, kVersion); }, [dock] { dock->close(); });
+  }
+  return QMenu::eventFilter(watched, event);
 }
 
 bool LayoutController::restoreLast() {

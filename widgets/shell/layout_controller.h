@@ -11,7 +11,7 @@ namespace capstan::widgets {
 class SettingsUndo;
 
 /// Arrangements of the window's docks: the one of the last time, and those that the user has named. Menu to
-/// choose, save, delete and reset them.
+/// choose, save, delete and reset them. Choosing, resetting, and closing a dock can be undone.
 class LayoutController : public QMenu {
   Q_OBJECT
 
@@ -30,6 +30,9 @@ class LayoutController : public QMenu {
   void remove(const QString& name);
   /// Arranges the docks as in a new installation.
   void reset();
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   void fill();

@@ -4,11 +4,9 @@
 #include <QActionGroup>
 #include <QApplication>
 #include <QCloseEvent>
-#include <QDateTime>
 #include <QDockWidget>
-#include <QFileDialog>
+#include <QFileInfo>
 #include <QMenuBar>
-#include <QRegularExpression>
 #include <QStackedWidget>
 #include <QStandardPaths>
 #include <QStatusBar>
@@ -16,7 +14,7 @@
 
 #include "core/base/error.h"
 #include "core/recording/session_file.h"
-#include "widgets/figures/save_figure.h"
+#include "widgets/panels/analysis/analysis_panel.h"
 #include "widgets/panels/diagnosis/diagnosis_panel.h"
 #include "widgets/panels/errors/errors_panel.h"
 #include "widgets/panels/identification/identification_panel.h"
@@ -33,29 +31,35 @@
 #include "widgets/shell/diagnosis_controller.h"
 #include "widgets/shell/dock_layout.h"
 #include "widgets/shell/dock_scroll.h"
+#include "widgets/shell/export_controller.h"
+#include "widgets/shell/help_topics.h"
 #include "widgets/shell/help_window.h"
 #include "widgets/shell/identification_controller.h"
 #include "widgets/shell/keyboard_reach.h"
+#include "widgets/shell/layout_controller.h"
 #include "widgets/shell/learning_controller.h"
 #include "widgets/shell/marker_controller.h"
 #include "widgets/shell/message_bar.h"
 #include "widgets/shell/monitor_controller.h"
 #include "widgets/shell/motor_controller.h"
 #include "widgets/shell/occlusion_controller.h"
+#include "widgets/shell/recent_menu.h"
+#include "widgets/shell/recording_offer.h"
 #include "widgets/shell/registration_controller.h"
 #include "widgets/shell/replay_controller.h"
 #include "widgets/shell/robot_controller.h"
 #include "widgets/shell/session_bar.h"
+#include "widgets/shell/settings_undo.h"
+#include "widgets/shell/settings_watch.h"
 #include "widgets/shell/source_menu.h"
 #include "widgets/shell/units_dialog.h"
 #include "widgets/shell/window_menus.h"
+#include "widgets/shell/window_title.h"
 #include "widgets/video/stereo_view.h"
 
 namespace capstan::widgets {
 
 namespace {
-
-constexpr int kLayoutVersion = 3;
 
 QString documents() {
   return QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) + "/Capstan";
@@ -86,12 +90,17 @@ MainWindow::MainWindow(const QString& settings, QWidget* parent)
   centre_->addWidget(new DockScroll(analysis_ = themed(new AnalysisPages)));
   centre_->addWidget(new DockScroll(diagnosis_ = themed(new DiagnosisPanel(runDiagnosis))));
   centre_->addWidget(new DockScroll(learning_ = themed(new LearningPanel)));
-  setCentralWidget(column({messages_, centre_}, centre_));
+  news_ = themed(new MessageBar);
+  export_news_ = themed(new MessageBar);
+  setCentralWidget(column({messages_, news_, export_news_, centre_}, centre_));
   status_ = themed(new StatusLine);
   statusBar()->addWidget(status_, 1);
   bar_ = new SessionBar(this);
+  undo_ = new SettingsUndo(this);
+  addActions({undo_->undoAction(), undo_->redoAction()});
   auto* menus = addBars();
   addDocks();
+  layouts_ = new LayoutController(*this, *settings_, *undo_);
   addMenus(*this, *menus);
   status_->setRemedies({action("identify"), action("diagnose")});
   new KeyboardReach(this);
@@ -101,6 +110,7 @@ MainWindow::MainWindow(const QString& settings, QWidget* parent)
   connectNotes();
   new RobotController(link_, *status_, *notes_, this);
   restore();
+  new SettingsWatch(*this, *occlusion_, *undo_);
 }
 
 MainWindow::~MainWindow() = default;
@@ -139,7 +149,10 @@ void MainWindow::addDocks() {
   floatOverCentre(*this, *registration_dock_);
   new RegistrationController(*registration_, *registration_dock_, link_, *bar_, *scene_, *notes_, this);
   new IdentificationController(*identification_, *identification, link_, *bar_, *notes_, this);
-  new AnalysisController(analysis_->errors(), *centre_, link_, *bar_, *errors_, *notes_, this);
+  auto* errors =
+      new AnalysisController(analysis_->errors(), *centre_, link_, *bar_, *errors_, *notes_, this);
+  export_ =
+      new ExportController({*figure_, *notes_, *messages_, *export_news_}, *errors, link_, *bar_, this);
   new DiagnosisController(*diagnosis_, *centre_, link_, *bar_, *identification_, *notes_, this);
   new LearningController(*learning_, *centre_, link_, *bar_, *notes_, this);
   auto* in_the_centre = new QActionGroup(this);  // one at a time, or the plots
@@ -175,7 +188,6 @@ void MainWindow::connectBar() {
   connect(bar_, &SessionBar::recordingFolderChanged, status_, &StatusLine::setFolder);
   connect(bar_, &SessionBar::recordingFolderRefused, messages_,
           [this](const QString& why) { messages_->showMessage(why); });
-  connect(bar_, &SessionBar::exportRequested, this, &MainWindow::askExport);
   connect(bar_, &SessionBar::noteRequested, this, [this] {
     auto* dock = findChild<QDockWidget*>("notes");
     dock->show();
@@ -186,6 +198,17 @@ void MainWindow::connectBar() {
   connect(bar_, &SessionBar::themeToggled, this,
           [this] { setThemeNamed(theme_.isDark() ? "light" : "dark"); });
   connect(&bar_->sources(), &SourceMenu::chosen, this, &MainWindow::open);
+  auto* offer = new RecordingOffer(*news_, link_, this);
+  connect(offer, &RecordingOffer::recorded, &bar_->sources().recent(), &RecentMenu::remember);
+  connect(offer, &RecordingOffer::openRequested, this,
+          [this](const QString& file) { open(SourceChoice::ofFile(file)); });
+  connect(offer, &RecordingOffer::analyseRequested, this, &MainWindow::analyse);
+}
+
+void MainWindow::analyse(const QString& recording) {
+  analysis_->setCurrentIndex(0);  // errors of runs
+  analysis_->errors().choose(0, {RunChoice::Kind::kRecording, recording});
+  action("analyse")->setChecked(true);
 }
 
 void MainWindow::connectLink() {
@@ -262,10 +285,11 @@ void MainWindow::onOpened(const tracking::SourceInfo& info, const SourceChoice& 
   title_ = titleOf(choice_, info.title);
   status_->setSource(choice_.isRecording() ? tr("recording %1").arg(QFileInfo(choice_.file).fileName())
                                            : QString());
+  std::array<QString, 3> names;
   for (std::size_t i = 0; i < 3; ++i)
-    joint_names_[i] = i < info.robot.joints.size() ? QString::fromStdString(info.robot.joints[i].name)
-                                                   : tr("joint %1").arg(i + 1);
-  figure_->setJointNames(joint_names_);
+    names[i] = i < info.robot.joints.size() ? QString::fromStdString(info.robot.joints[i].name)
+                                            : tr("joint %1").arg(i + 1);
+  figure_->setJointNames(names);
   figure_->setFollowing(true);
   scene_->setRobot(info.robot, info.rig, info.base_from_camera);
   if (!info.rig) video_->clear(tr("this source has no images"));
@@ -300,7 +324,9 @@ void MainWindow::onStatus(const live::RunStatus& status) {
   status_->showStatus(status, status.t - recording_since_.value_or(status.t));
   occlusion_->showBlocked(status.blocked);
   bar_->showStatus(status);
-  retitle(status);
+  const QString title =
+      titleOfWindow(title_, status, recording_since_ ? status.t - *recording_since_ : -1.0);
+  if (title != windowTitle()) setWindowTitle(title);
 }
 
 void MainWindow::onRecording(bool recording, const live::RunStatus& status) {
@@ -319,40 +345,9 @@ void MainWindow::onRecording(bool recording, const live::RunStatus& status) {
   notes_->setRecording(recording);
 }
 
-void MainWindow::retitle(const live::RunStatus& status) {
-  QString title = tr("Capstan ─ %1").arg(title_);
-  if (recording_since_)
-    title += QStringLiteral(" ─ %1 ● REC %2")
-                 .arg(QFileInfo(QString::fromStdString(status.recording)).completeBaseName(),
-                      clockText(status.t - *recording_since_));
-  if (title != windowTitle()) setWindowTitle(title);
-}
-
-void MainWindow::askExport() {
-  const QString name = documents() + "/" + QDateTime::currentDateTime().toString("yyyy-MM-dd_HHmmss");
-  auto* dialog = new QFileDialog(this, tr("Export the plots as PDF, SVG, PNG and CSV"), name);
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setAcceptMode(QFileDialog::AcceptSave);
-  connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::exportFigure);
-  dialog->open();
-}
-
-void MainWindow::exportFigure(const QString& base) {
-  try {
-    const QCPRange range = figure_->timeRange();
-    const std::string path = QString(base).remove(QRegularExpression("\\.(pdf|svg|png|csv)$")).toStdString();
-    exportJointFigure(history_, joint_names_, range.lower, range.upper, path);
-    notes_->addFile(now_, "export", QString::fromStdString(path));
-    messages_->settle("export");
-  } catch (const std::exception& error) {
-    messages_->showMessage(QString::fromStdString(error.what()), "export");
-  }
-}
-
 void MainWindow::showHelp() {
   if (!help_) help_ = new HelpWindow(this);
-  help_->show();
-  help_->raise();
+  if (!help_->isActiveWindow()) help_->show(topicOf(QApplication::focusWidget()));
 }
 
 void MainWindow::setThemeNamed(const QString& name) {
@@ -368,7 +363,7 @@ QString MainWindow::message() const { return messages_->message(); }
 
 void MainWindow::restore() {
   choice_ = SourceChoice::restore(*settings_);
-  bar_->sources().setRecentFiles(settings_->value("source/recent").toStringList());
+  bar_->sources().recent().setFiles(settings_->value("source/recent").toStringList());
   if (choice_.simulated || !choice_.file.isEmpty()) bar_->sources().remember(choice_);
   bar_->setRecordingFolder(settings_->value("recording/folder", documents()).toString());
   setThemeNamed(settings_->value("theme", "dark").toString());
@@ -376,7 +371,7 @@ void MainWindow::restore() {
   diagnosis_->restore(*settings_);
   learning_->restore(*settings_);
   restoreGeometry(settings_->value("geometry").toByteArray());
-  laid_out_ = restoreState(settings_->value("layout").toByteArray(), kLayoutVersion);
+  laid_out_ = layouts_->restoreLast();
   for (const char* name : {"marker", "registration"}) findChild<QDockWidget*>(name)->hide();
 }
 
@@ -384,9 +379,9 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   if (link_.recording()) link_.runner()->stopRecording();
   settings_->setValue("theme", theme_.name);
   settings_->setValue("geometry", saveGeometry());
-  settings_->setValue("layout", saveState(kLayoutVersion));
+  layouts_->saveLast();
   settings_->setValue("recording/folder", bar_->recordingFolder());
-  settings_->setValue("source/recent", bar_->sources().recentFiles());
+  settings_->setValue("source/recent", bar_->sources().recent().files());
   choice_.save(*settings_);
   analysis_->save(*settings_);
   diagnosis_->save(*settings_);

@@ -17,8 +17,10 @@ class AnalysisPages;
 class AnalysisPanel;
 class IdentificationPanel;
 class DiagnosisPanel;
+class ExportController;
 class ErrorsPanel;
 class HelpWindow;
+class LayoutController;
 class LearningPanel;
 class MessageBar;
 class MonitorController;
@@ -29,6 +31,7 @@ class RegistrationPanel;
 class ReplayBar;
 class SceneView;
 class SessionBar;
+class SettingsUndo;
 class StatusLine;
 class StereoView;
 
@@ -55,12 +58,12 @@ class MainWindow : public QMainWindow {
   MonitorController& monitor() { return *monitor_; }
   DiagnosisPanel& diagnosis() { return *diagnosis_; }
   LearningPanel& learning() { return *learning_; }
+  ExportController& exports() { return *export_; }
+  LayoutController& layouts() { return *layouts_; }
+  MessageBar& news() { return *news_; }
   /// Text of the message bar; empty: no message, or closed.
   QString message() const;
   QAction* action(const QString& name) const { return findChild<QAction*>(name); }
-  /// Writes the plots in their present state: base.pdf, .svg, .png and .csv. Errors are shown in the message
-  /// bar.
-  void exportFigure(const QString& base);
 
  signals:
   void themeChanged(const Theme& theme);
@@ -86,9 +89,9 @@ class MainWindow : public QMainWindow {
   void onStatus(const live::RunStatus& status);
   void onRecording(bool recording, const live::RunStatus& status);
   void listRecordedEvents();
-  void askExport();
   void showHelp();
-  void retitle(const live::RunStatus& status);
+  /// Shows the errors of a recording instead of the plots.
+  void analyse(const QString& recording);
   void restore();
 
   std::unique_ptr<QSettings> settings_;
@@ -98,10 +101,10 @@ class MainWindow : public QMainWindow {
   SessionLink link_;
   double now_ = 0.0;  ///< newest session time [s]
   QString title_ = "no source";
-  std::array<QString, 3> joint_names_;
   std::optional<double> recording_since_;
   JointFigure* figure_;
-  MessageBar* messages_;
+  MessageBar *messages_, *news_, *export_news_;
+  SettingsUndo* undo_;
   SessionBar* bar_;
   StereoView* video_;
   SceneView* scene_;
@@ -118,6 +121,8 @@ class MainWindow : public QMainWindow {
   NotesPanel* notes_;
   StatusLine* status_;
   MonitorController* monitor_;
+  ExportController* export_;
+  LayoutController* layouts_;
   QDockWidget* registration_dock_ = nullptr;
   bool laid_out_ = false;
   HelpWindow* help_ = nullptr;

@@ -40,9 +40,8 @@ void MessageBar::showMessage(const QString& text, const QString& about) {
   put(tr("Fault: %1").arg(text), about, true);
 }
 
-void MessageBar::showNews(const QString& text, const std::vector<MessageAction>& actions,
-                          const QString& about) {
-  put(text, about, false);
+void MessageBar::showNews(const QString& text, const std::vector<MessageAction>& actions) {
+  put(text, {}, false);
   for (const MessageAction& action : actions) {
     auto* button = new QToolButton;
     button->setText(action.text);
@@ -52,6 +51,8 @@ void MessageBar::showNews(const QString& text, const std::vector<MessageAction>&
     buttons_.push_back(button);
   }
 }
+
+void MessageBar::setText(const QString& text) { text_->setText(text); }
 
 void MessageBar::settle(const QString& about) {
   if (about == about_) hide();

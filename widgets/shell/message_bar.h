@@ -28,7 +28,9 @@ class MessageBar : public QFrame {
   /// Shows a message. `about`: its subject, by which settle() removes it.
   void showMessage(const QString& text, const QString& about = {});
   /// Shows news, which are no fault, with a button for each action, which also closes the message.
-  void showNews(const QString& text, const std::vector<MessageAction>& actions, const QString& about = {});
+  void showNews(const QString& text, const std::vector<MessageAction>& actions);
+  /// Replaces the text of the message that is shown.
+  void setText(const QString& text);
   /// The subject has succeeded since: hides the message if it is about this subject.
   void settle(const QString& about);
   QString message() const;

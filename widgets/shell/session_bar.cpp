@@ -32,9 +32,7 @@ SessionBar::SessionBar(QWidget* parent) : QToolBar(tr("Session"), parent) {
   addSources();
   addRecording();
   addSeparator();
-  export_ = add("export", tr("Export"), QKeySequence(QStringLiteral("Ctrl+E")),
-                tr("Save the plots as PDF, SVG, PNG and their numbers as CSV"));
-  connect(export_, &QAction::triggered, this, &SessionBar::exportRequested);
+  addExport();
   addGap();
   connect(add("note", tr("Note"), Qt::Key_N, tr("Write a note at the present moment")), &QAction::triggered,
           this, &SessionBar::noteRequested);
@@ -137,6 +135,18 @@ void SessionBar::addRecording() {
   menu->addAction(addOffBar("recordingFolder", tr("Recording folder…"), {}, [this] { askFolder(); }));
   menu->addAction(addOffBar("showFolder", tr("Show the folder"), {},
                             [this] { QDesktopServices::openUrl(QUrl::fromLocalFile(folder_)); }));
+  button->setMenu(menu);
+  button->setPopupMode(QToolButton::MenuButtonPopup);
+}
+
+void SessionBar::addExport() {
+  export_ = add("export", tr("Export"), QKeySequence(QStringLiteral("Ctrl+E")),
+                tr("Save the plots as PDF, SVG, PNG and their numbers as CSV"));
+  connect(export_, &QAction::triggered, this, &SessionBar::exportRequested);
+  auto* button = qobject_cast<QToolButton*>(widgetForAction(export_));
+  auto* menu = new QMenu(button);
+  menu->addAction(addOffBar("exportEverything", tr("Export everything…"), QStringLiteral("Ctrl+Shift+X"),
+                            [this] { Q_EMIT exportEverythingRequested(); }));
   button->setMenu(menu);
   button->setPopupMode(QToolButton::MenuButtonPopup);
 }

@@ -39,6 +39,7 @@ class SessionBar : public QToolBar {
   void recordingFolderChanged(const QString& folder);
   void recordingFolderRefused(const QString& why);
   void exportRequested();
+  void exportEverythingRequested();
   void noteRequested();
   void helpRequested();
   void themeToggled();
@@ -52,6 +53,7 @@ class SessionBar : public QToolBar {
   void addSpeed();
   void addSources();
   void addRecording();
+  void addExport();
   void addGap();
   void askFolder();
   void shiftSpeed(int by);

@@ -5,6 +5,7 @@
 
 #include "core/recording/recording_kinds.h"
 #include "widgets/shell/live_dialog.h"
+#include "widgets/shell/recent_menu.h"
 #include "widgets/shell/simulation_dialog.h"
 
 namespace capstan::widgets {
@@ -31,16 +32,18 @@ SourceMenu::SourceMenu(QWidget* parent)
   });
   connect(live_, &LiveDialog::chosen, this,
           [this](const QString& chosen_live) { Q_EMIT chosen(SourceChoice::ofLive(chosen_live)); });
-  recent_menu_ = addMenu(tr("Recent"));
-  recent_menu_->menuAction()->setObjectName("recent");
+  recent_ = new RecentMenu(this);
+  addMenu(recent_);
+  connect(recent_, &RecentMenu::chosen, this,
+          [this](const QString& file) { Q_EMIT chosen(SourceChoice::ofFile(file)); });
   connect(dialog_, &SimulationDialog::chosen, this, [this](const simulation::SimulationRequest& request) {
     Q_EMIT chosen(SourceChoice::ofSimulation(request));
   });
-  fillRecent();
 }
 
 void SourceMenu::askFile() {
-  const QString folder = recent_.isEmpty() ? QString() : QFileInfo(recent_.front()).absolutePath();
+  const QStringList files = recent_->files();
+  const QString folder = files.isEmpty() ? QString() : QFileInfo(files.front()).absolutePath();
   auto* dialog = new QFileDialog(
       parentWidget(), tr("Open a recording"), folder,
       tr("Recordings (%1);;All files (*)").arg(QString::fromStdString(recording::recordingPatterns())));
@@ -57,26 +60,7 @@ void SourceMenu::remember(const SourceChoice& choice) {
     return;
   }
   if (!choice.isRecording()) return;
-  const QString file = QFileInfo(choice.file).absoluteFilePath();
-  recent_.removeAll(file);
-  recent_.prepend(file);
-  setRecentFiles(recent_);
-}
-
-void SourceMenu::setRecentFiles(const QStringList& files) {
-  recent_ = files.mid(0, kMostRecent);
-  fillRecent();
-}
-
-void SourceMenu::fillRecent() {
-  recent_menu_->clear();
-  recent_menu_->setEnabled(!recent_.isEmpty());
-  for (const QString& file : recent_) {
-    auto* action = recent_menu_->addAction(QFileInfo(file).fileName());
-    action->setToolTip(file);
-    connect(action, &QAction::triggered, this, [this, file] { Q_EMIT chosen(SourceChoice::ofFile(file)); });
-  }
-  recent_menu_->setToolTipsVisible(true);
+  recent_->remember(choice.file);
 }
 
 }  // namespace capstan::widgets

@@ -7,6 +7,7 @@
 namespace capstan::widgets {
 
 class LiveDialog;
+class RecentMenu;
 class SimulationDialog;
 
 /// Menu with new simulation, open a file, connect to a live robot, and the recent recordings.
@@ -14,14 +15,11 @@ class SourceMenu : public QMenu {
   Q_OBJECT
 
  public:
-  static constexpr int kMostRecent = 8;
-
   explicit SourceMenu(QWidget* parent = nullptr);
 
   /// Remembers the opened source: the dialog starts with it, a file becomes the first in the list.
   void remember(const SourceChoice& choice);
-  QStringList recentFiles() const { return recent_; }
-  void setRecentFiles(const QStringList& files);
+  RecentMenu& recent() { return *recent_; }
   SimulationDialog& dialog() { return *dialog_; }
 
  signals:
@@ -29,12 +27,10 @@ class SourceMenu : public QMenu {
 
  private:
   void askFile();
-  void fillRecent();
 
   SimulationDialog* dialog_;
   LiveDialog* live_;
-  QMenu* recent_menu_;
-  QStringList recent_;
+  RecentMenu* recent_;
 };
 
 }  // namespace capstan::widgets

@@ -6,6 +6,7 @@
 #include <QMenuBar>
 
 #include "widgets/shell/keyboard_reach.h"
+#include "widgets/shell/layout_controller.h"
 #include "widgets/shell/main_window.h"
 #include "widgets/shell/session_bar.h"
 #include "widgets/shell/source_menu.h"
@@ -29,9 +30,11 @@ bool inFront(const QDockWidget& dock) { return dock.isVisible() && !dock.visible
 
 /// Brings a dock behind another tab to the front, with the focus; hides a dock in front.
 void toggle(QDockWidget& dock) {
-  const bool go = inFront(dock);
-  dock.setVisible(!go);
-  if (go) return;
+  if (inFront(dock)) {
+    dock.close();
+    return;
+  }
+  dock.show();
   dock.raise();
   if (dock.isFloating()) dock.activateWindow();
   focusFirst(*dock.widget());
@@ -69,12 +72,14 @@ void addMenus(MainWindow& window, QMenuBar& menus) {
   addActions(*session, window, {"run", "step"});
   addActions(*session->addMenu(QObject::tr("Speed")), window, {"slower", "faster"});
   session->addMenu(&window.bar().sources());
-  addActions(*session, window, {"", "record", "recordingFolder", "showFolder", "", "note", "export"});
+  addActions(*session, window, {"", "record", "recordingFolder", "showFolder", "", "note", "export", "exportEverything"});
+  addActions(*menus.addMenu(QObject::tr("&Edit")), window, {"undo", "redo"});
   auto* view = menus.addMenu(QObject::tr("&View"));
   for (std::size_t i = 0; i < kDocks.size(); ++i) addDock(*view, window, kDocks[i], static_cast<int>(i) + 1);
   addActions(*view, window, {"marker", "register"});
   view->addSeparator();
   addAllDocks(*view, window);
+  view->addMenu(&window.layouts());
   view->addSeparator();
   addActions(*view, window, {"analyse", "diagnose", "learn", "", "theme"});
   auto* tools = menus.addMenu(QObject::tr("T&ools"));
