@@ -17,6 +17,7 @@
 #include "widgets/panels/notes/notes_panel.h"
 #include "widgets/panels/occlusion/occlusion_panel.h"
 #include "widgets/panels/registration/registration_panel.h"
+#include "widgets/shell/export_controller.h"
 #include "widgets/shell/help_window.h"
 #include "widgets/shell/simulation_dialog.h"
 #include "widgets/shell/source_menu.h"

@@ -29,7 +29,10 @@ void MessageBar::setTheme(const Theme& theme) {
 }
 
 void MessageBar::put(const QString& text, const QString& about, bool fault) {
-  for (QToolButton* button : std::exchange(buttons_, {})) button->deleteLater();
+  for (QToolButton* button : std::exchange(buttons_, {})) {
+    button->hide();
+    button->deleteLater();  // it may be the one that was pressed
+  }
   about_ = about;
   text_->setText(text);
   if (std::exchange(fault_, fault) != fault) setTheme(theme_);
@@ -46,6 +49,7 @@ void MessageBar::showNews(const QString& text, const std::vector<MessageAction>&
     auto* button = new QToolButton;
     button->setText(action.text);
     row_->insertWidget(row_->count() - 1, button);
+    button->show();
     connect(button, &QToolButton::clicked, this, &QWidget::hide);
     connect(button, &QToolButton::clicked, this, action.act);
     buttons_.push_back(button);

@@ -36,10 +36,13 @@ SessionBar::SessionBar(QWidget* parent) : QToolBar(tr("Session"), parent) {
   addGap();
   connect(add("note", tr("Note"), Qt::Key_N, tr("Write a note at the present moment")), &QAction::triggered,
           this, &SessionBar::noteRequested);
-  connect(add("help", tr("? F1"), QKeySequence::HelpContents, tr("The manual")), &QAction::triggered, this,
-          &SessionBar::helpRequested);
-  connect(add("theme", tr("◐ Theme"), QKeySequence(QStringLiteral("Ctrl+T")), tr("Dark or light")),
-          &QAction::triggered, this, &SessionBar::themeToggled);
+  auto* help = add("help", tr("Manual"), QKeySequence::HelpContents, tr("The manual, at the panel in use"));
+  help->setShortcutContext(Qt::ApplicationShortcut);  // in floating docks and dialogs too
+  connect(help, &QAction::triggered, this, &SessionBar::helpRequested);
+  auto* theme = add("theme", tr("Dark or light"), QKeySequence(QStringLiteral("Ctrl+T")), tr("Dark or light"));
+  connect(theme, &QAction::triggered, this, &SessionBar::themeToggled);
+  showAsSign(*help, QStringLiteral("?"));
+  showAsSign(*theme, QStringLiteral("◐"));
 }
 
 /// The button for actions without room shows a sign in the theme's colour: the style's own is dark on dark.
@@ -75,6 +78,12 @@ QAction* SessionBar::add(const QString& name, const QString& text, const QKeySeq
   action->setToolTip(QStringLiteral("%1 (%2)").arg(tip, key.toString(QKeySequence::NativeText)));
   if (auto* button = qobject_cast<QToolButton*>(widgetForAction(action))) button->setFocusPolicy(Qt::NoFocus);
   return action;
+}
+
+/// The button shows a sign, and the menus the words.
+void SessionBar::showAsSign(QAction& action, const QString& sign) {
+  action.setIconText(sign);
+  if (auto* button = widgetForAction(&action)) button->setAccessibleName(action.text());
 }
 
 void SessionBar::addSpeed() {

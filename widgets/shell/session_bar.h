@@ -50,6 +50,7 @@ class SessionBar : public QToolBar {
   QAction* add(const QString& name, const QString& text, const QKeySequence& key, const QString& tip);
   QAction* addOffBar(const QString& name, const QString& text, const QKeySequence& key,
                      std::function<void()> act);
+  void showAsSign(QAction& action, const QString& sign);
   void addSpeed();
   void addSources();
   void addRecording();
