@@ -45,8 +45,8 @@ ExitCode exportSession(const ExportArguments& arguments) {
 
 void addExport(CLI::App& app, ExitCode& exit) {
   auto arguments = std::make_shared<ExportArguments>();
-  CLI::App* command = app.add_subcommand(
-      "export", "Write everything about one recording into a folder with an index page");
+  CLI::App* command =
+      app.add_subcommand("export", "Write everything about one recording into a folder with an index page");
   command->add_option("RECORDING", arguments->recording, recording::recordingKinds())->required();
   command
       ->add_option("--out", arguments->out,
@@ -59,7 +59,8 @@ void addExport(CLI::App& app, ExitCode& exit) {
                       "names of all files as JSON: a file, or - for standard output");
   command->footer(
       "The recording is tracked once. The folder then holds the joint plots, trajectory, histograms and box\n"
-      "plot of the errors (PDF, SVG, PNG, CSV), the tables of errors, the report and the events (CSV, LaTeX,\n"
+      "plot of the errors (PDF, SVG, PNG, CSV), the tables of errors, the report and the events (CSV, "
+      "LaTeX,\n"
       "Markdown), and the settings as files: robot, filter, marker, cameras, registration. The window's\n"
       "Export everything writes the same of the open session. Examples:\n"
       "  capstan-cli export trial.capstan --out trial_export\n"

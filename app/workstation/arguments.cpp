@@ -68,6 +68,10 @@ void addOptions(CLI::App& cli, Arguments& arguments) {
       ->capture_default_str()
       ->check(CLI::IsMember({"running", "occluded", "paused"}))
       ->needs(image);
+  cli.add_option("--show", arguments.show,
+                 "panel in the picture: marker, register, analyse, diagnose or learn")
+      ->check(CLI::IsMember({"marker", "register", "analyse", "diagnose", "learn"}))
+      ->needs(image);
   cli.add_option("--after", arguments.after, "time until the picture is saved [s]")
       ->capture_default_str()
       ->check(CLI::Range(2.0, 3600.0))

@@ -10,7 +10,8 @@ namespace capstan::workstation {
 
 /// Arguments of the window's command line.
 struct Arguments {
-  std::string file, live, robot, monitor_feed, publish, theme, image, size = "1920x1080", state = "running";
+  std::string file, live, robot, monitor_feed, publish, theme, image, size = "1920x1080", state = "running",
+                                                                      show;
   simulation::SimulationRequest simulation;
   bool simulate = false;  ///< --simulate, or implied by an option of the simulation
   double after = 12.0;    ///< time until the picture is saved [s]

@@ -1,4 +1,6 @@
 #include <QApplication>
+#include <QDockWidget>
+#include <QPainter>
 #include <QScreen>
 #include <QTimer>
 #include <cstdio>
@@ -32,6 +34,15 @@ void failWithoutSource(capstan::widgets::MainWindow& window) {
                    });
 }
 
+/// Picture of the window with the docks that float over it.
+QPixmap pictureOf(capstan::widgets::MainWindow& window) {
+  QPixmap picture = window.grab();
+  QPainter painter(&picture);
+  for (auto* dock : window.findChildren<QDockWidget*>())
+    if (dock->isFloating() && dock->isVisible()) painter.drawPixmap(dock->pos() - window.pos(), dock->grab());
+  return picture;
+}
+
 /// Brings the window into the requested state, grabs it and quits.
 void planScreenshot(capstan::widgets::MainWindow& window, const Arguments& arguments) {
   const int after = static_cast<int>(arguments.after * 1e3);
@@ -39,11 +50,14 @@ void planScreenshot(capstan::widgets::MainWindow& window, const Arguments& argum
     QTimer::singleShot(after * 3 / 4, Qt::PreciseTimer, &window, [&window] {
       if (window.link().runner()) window.link().runner()->block(true, false);
     });
+  if (!arguments.show.empty())
+    QTimer::singleShot(after / 2, Qt::PreciseTimer, &window,
+                       [&window, &arguments] { window.action(arguments.show.c_str())->trigger(); });
   if (arguments.state == "paused")
     QTimer::singleShot(after - 800, Qt::PreciseTimer, &window,
                        [&window] { window.link().setRunning(false); });
   QTimer::singleShot(after, Qt::PreciseTimer, &window, [&window, &arguments] {
-    const bool saved = window.grab().save(QString::fromStdString(arguments.image));
+    const bool saved = pictureOf(window).save(QString::fromStdString(arguments.image));
     if (!saved) std::cerr << "capstan: " << arguments.image << " cannot be written\n";
     QApplication::exit(saved ? 0 : 2);
   });

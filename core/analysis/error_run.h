@@ -90,7 +90,8 @@ class ErrorCollector {
 /// figures` all use this function.
 ErrorRun trackErrors(const std::filesystem::path& recording, const std::filesystem::path& robot,
                      base::Progress& progress);
-/// What trackRun() meets on its way: the source with the robot that the estimator assumes, then each snapshot.
+/// What trackRun() meets on its way: the source with the robot that the estimator assumes, then each
+/// snapshot.
 struct RunWatch {
   std::function<void(const tracking::SourceInfo&)> begin = [](const tracking::SourceInfo&) {};
   std::function<void(const tracking::Snapshot&)> take = [](const tracking::Snapshot&) {};

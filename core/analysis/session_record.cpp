@@ -5,7 +5,6 @@
 #include "core/base/yaml.h"
 #include "core/estimation/consistency.h"
 #include "core/estimation/nis_verdict.h"
-#include "core/recording/read_table.h"
 #include "core/tracking/make_pipeline.h"
 #include "core/tracking/transmission_text.h"
 #include "core/vision/registration_file.h"
@@ -101,15 +100,13 @@ std::vector<SettingsFile> settingsOf(const recording::SessionHeader& header) {
   add("marker.yaml", header.marker);
   add("camera_left.yaml", header.camera_left);
   add("camera_right.yaml", header.camera_right);
-  if (header.base_from_camera)
-    add("registration.yaml", vision::formatRegistration(*header.base_from_camera));
+  if (header.base_from_camera) add("registration.yaml", vision::formatRegistration(*header.base_from_camera));
   add("truth.yaml", header.truth);
   return files;
 }
 
 SessionRecord recordOf(const std::filesystem::path& recording, const std::filesystem::path& robot,
-                       base::Progress& progress,
-                       const std::function<void(const tracking::Snapshot&)>& each) {
+                       base::Progress& progress, const std::function<void(const tracking::Snapshot&)>& each) {
   SessionRecord record;
   RunWatch watch;
   watch.begin = [&record](const tracking::SourceInfo& info) {
@@ -124,7 +121,7 @@ SessionRecord recordOf(const std::filesystem::path& recording, const std::filesy
     each(snapshot);
   };
   record.run = trackRun(recording, robot, progress, watch);
-  if (recording::isSession(recording))
+  if (recording.extension() == recording::kSessionSuffix)
     record.events = recording::readSessionEvents(recording);
   return record;
 }

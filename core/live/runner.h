@@ -103,8 +103,8 @@ class Runner {
 
   /// `header` with the robot, registration, marker and tracking options in use now.
   recording::SessionHeader inUse(recording::SessionHeader header) const;
-  /// Creates the file at once and records from the next sample on, under inUse(header). Stops a recording under way. Throws base::InputError if the file
-  /// cannot be created.
+  /// Creates the file at once and records from the next sample on, under inUse(header). Stops a recording
+  /// under way. Throws base::InputError if the file cannot be created.
   void startRecording(const std::filesystem::path& path, const recording::SessionHeader& header,
                       const recording::RecorderOptions& options = {});
   void stopRecording();  ///< closes the file in the background

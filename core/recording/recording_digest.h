@@ -14,8 +14,9 @@ struct RecordingDigest {
   cv::Mat image;          ///< left image of the first pair, BGR; empty: none
 };
 
-/// Digest of a session file; of any other recording nothing is known. `width`: width of the image [px], whose
-/// sides keep their ratio. Throws base::InputError for a file that is missing or damaged.
+/// Digest of a session file (.capstan), which may be under recording; of any other recording nothing is
+/// known. `width`: width of the image [px], whose sides keep their ratio. Throws base::InputError for a file
+/// that is missing or damaged.
 RecordingDigest digestOf(const std::filesystem::path& recording, int width);
 
 }  // namespace capstan::recording

@@ -57,5 +57,39 @@ TEST_F(Cli, FiguresSayWhatIsWrongWithTheirArguments) {
   }
 }
 
+TEST_F(Cli, ExportLeavesEverythingOfARecordingAndItsSettingsCanBeUsed) {
+  const std::string file = simulate("s.capstan", "--trajectory sinusoid --no-images --duration 2");
+  const Ran made = run("export " + file + " --size 160x120 --out " + path("out") + " --json -");
+  ASSERT_EQ(made.exit, 0) << made.err;
+  const json report = json::parse(made.out);
+  const std::string index = textOf("out/index.html");
+  for (const auto& name : report["files"]) {
+    const fs::path written = name.get<std::string>();
+    EXPECT_GT(fs::file_size(written), 0U) << written;
+    if (written.filename() != "index.html")
+      EXPECT_NE(index.find(written.filename().string()), std::string::npos) << written;
+  }
+  for (const char* name : {"s-joints.pdf", "s-joints.csv", "s-boxplot.svg", "s-report.csv", "truth.yaml"})
+    EXPECT_TRUE(fs::exists(path("out/") + name)) << name;
+  EXPECT_NE(textOf("out/s-report.csv").find("motor samples,"), std::string::npos);
+  const Ran again = run("track " + file + " --estimator-robot " + path("out/robot.yaml") + " --options " +
+                        path("out/filter.yaml") + " --json -");
+  ASSERT_EQ(again.exit, 0) << again.err;
+  EXPECT_EQ(json::parse(again.out)["rms"], json::parse(run("track " + file + " --json -").out)["rms"]);
+}
+
+TEST_F(Cli, ExportSaysWhatIsWrongWithItsArguments) {
+  const std::pair<std::string, const char*> wrong[] = {{path("none.capstan"), "none.capstan"},
+                                                       {"/dev/null --size 88", "--size = 88: is no size"},
+                                                       {"/dev/null --out /proc/nowhere", "nowhere"}};
+  for (const auto& [arguments, words] : wrong) {
+    const Ran result = run("export " + arguments +
+                           (arguments.find("--out") == std::string::npos ? " --out " + path("o") : ""));
+    EXPECT_EQ(result.exit, 2) << arguments;
+    EXPECT_NE(result.err.find(words), std::string::npos) << arguments << "\n" << result.err;
+    EXPECT_FALSE(fs::exists(path("o")));
+  }
+}
+
 }  // namespace
 }  // namespace capstan

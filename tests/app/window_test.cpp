@@ -39,6 +39,8 @@ TEST(Window, UsageErrorsAreExitTwoWithoutADisplay) {
       run(window + " --unregistered --session a.capstan").said.find("--session excludes --unregistered"),
       std::string::npos);
   EXPECT_NE(run(window + " --state paused").said.find("--state requires --screenshot"), std::string::npos);
+  EXPECT_NE(run(window + " --show learn").said.find("--show requires --screenshot"), std::string::npos);
+  EXPECT_EQ(run(window + " --screenshot a.png --show nothing").exit, 2);
   EXPECT_EQ(run(window + " --help").exit, 0);
   EXPECT_EQ(run(window).exit, 2) << "no display";
 }

@@ -10,6 +10,8 @@
 #include <QToolButton>
 #include <nlohmann/json.hpp>
 
+#include "core/estimation/nis_verdict.h"
+#include "core/tracking/snapshot.h"
 #include "tests/widgets/picture.h"
 #include "tests/widgets/shell_fixture.h"
 #include "widgets/panels/analysis/analysis_panel.h"
@@ -118,7 +120,7 @@ TEST_F(Books, RecentRecordingsHaveImageDateDurationAndRobot) {
 
 TEST_F(Books, ExportsEverythingAsTheCommandLineDoes) {
   const QString trial = simulated("trial.capstan", "2");
-  commandLine({"export", trial, "--out", file("wanted")});
+  commandLine({"export", trial, "--out", file("expected")});
   auto window = makeWindow();
   window->bar().setSpeed(50.0);
   window->open(SourceChoice::ofFile(trial));
@@ -129,7 +131,7 @@ TEST_F(Books, ExportsEverythingAsTheCommandLineDoes) {
   ASSERT_TRUE(waitFor([&] { return !window->exports().busy(); }));
   EXPECT_TRUE(window->message().isEmpty()) << window->message().toStdString();
   const QString index = textOf(file("out/index.html"));
-  for (const QString& name : QDir(file("wanted")).entryList(QDir::Files)) {
+  for (const QString& name : QDir(file("expected")).entryList(QDir::Files)) {
     QString mine = name;
     mine.replace("trial-trajectory-trial", "session-trajectory-session")
         .replace("trial-histogram-trial", "session-histogram-session");
@@ -138,9 +140,9 @@ TEST_F(Books, ExportsEverythingAsTheCommandLineDoes) {
     EXPECT_TRUE(name == "index.html" || index.contains(mine)) << mine.toStdString();
   }
   for (const char* settings : {"robot.yaml", "filter.yaml", "registration.yaml", "camera_left.yaml"})
-    EXPECT_EQ(textOf(file("out/") + settings), textOf(file("wanted/") + settings)) << settings;
+    EXPECT_EQ(textOf(file("out/") + settings), textOf(file("expected/") + settings)) << settings;
   EXPECT_EQ(textOf(file("out/session-table-means.csv")).section('\n', 1),
-            textOf(file("wanted/trial-table-means.csv")).section('\n', 1));
+            textOf(file("expected/trial-table-means.csv")).section('\n', 1));
 }
 
 TEST_F(Books, AnExportOfEverythingCanBeCancelledAndNamesAFolderThatIsNotFree) {
@@ -249,8 +251,24 @@ TEST_F(Books, EveryPanelHasItsSectionOfTheManual) {
   }
 }
 
+template <class Enum>
+void expectNames(const QString& page) {
+  for (const auto& [value, name] : base::NamesOf<Enum>::value)
+    EXPECT_TRUE(value == Enum{} || page.contains(name)) << name;  // the first one: nothing is wrong
+}
+
+TEST_F(Books, TroubleshootingNamesEveryWordOfTheStatus) {
+  HelpWindow help;
+  help.show({"troubleshooting.md", {}});
+  const QString page = help.text();
+  expectNames<tracking::Gate>(page);
+  expectNames<vision::MarkerFault>(page);
+  expectNames<estimation::NisVerdict>(page);
+  EXPECT_TRUE(page.contains("no pixels of the marker's colour"));
+}
+
 TEST_F(Books, F1OpensTheManualAtThePanelWithTheFocus) {
-  auto window = makeWindow();
+  auto window = windowAtRest();
   auto* interval = window->findChild<OcclusionPanel*>()->findChild<QWidget*>("qt_spinbox_lineedit");
   ASSERT_TRUE(interval && QTest::qWaitForWindowActive(window.get()));
   interval->setFocus();

@@ -14,11 +14,11 @@
 #include "core/simulation/simulated_source.h"
 #include "tests/widgets/picture.h"
 #include "tests/widgets/shell_fixture.h"
-#include "widgets/shell/export_controller.h"
 #include "widgets/panels/notes/notes_panel.h"
 #include "widgets/panels/registration/collect_page.h"
 #include "widgets/panels/registration/registration_panel.h"
 #include "widgets/panels/status/status_line.h"
+#include "widgets/shell/export_controller.h"
 
 namespace capstan::widgets {
 namespace {

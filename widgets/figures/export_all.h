@@ -61,11 +61,12 @@ class FigureExport {
   FigureExport& operator=(const FigureExport&) = delete;
 
   bool drawn() const { return report_.figures == drawings_.size(); }           ///< all figures are drawn
-  double fraction() const;                                                    ///< share done, 0…1
+  double fraction() const;                                                     ///< share done, 0…1
   const std::string& name() const { return drawings_[report_.figures].name; }  ///< not if drawn()
   /// Draws the next figure; call it on the thread of the application's windows. Throws base::InputError.
   void draw();
-  /// Writes tables, settings and index page. Called before all figures are drawn, it reports a cancelled export.
+  /// Writes tables, settings and index page. Called before all figures are drawn, it reports a cancelled
+  /// export.
   ExportReport finish();
 
  private:

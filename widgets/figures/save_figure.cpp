@@ -174,8 +174,10 @@ std::vector<std::unique_ptr<JointFigure>> jointPages(const JointHistory& history
   return pages;
 }
 
-std::vector<std::filesystem::path> saveJointFigure(const JointHistory& history, const std::array<QString, 3>& joint_names, double begin,
-                     double end, const std::filesystem::path& path, QSize size) {
+std::vector<std::filesystem::path> saveJointFigure(const JointHistory& history,
+                                                   const std::array<QString, 3>& joint_names, double begin,
+                                                   double end, const std::filesystem::path& path,
+                                                   QSize size) {
   const auto pages = jointPages(history, joint_names, begin, end, size);
   std::vector<std::filesystem::path> files;
   for (std::size_t i = 0; i < pages.size(); ++i) {
@@ -195,8 +197,10 @@ void saveJointTable(const JointHistory& history, double begin, double end,
   base::writeTextFile(path, lines.text());
 }
 
-std::vector<std::filesystem::path> exportJointFigure(const JointHistory& history, const std::array<QString, 3>& joint_names, double begin,
-                       double end, const std::filesystem::path& base, QSize size) {
+std::vector<std::filesystem::path> exportJointFigure(const JointHistory& history,
+                                                     const std::array<QString, 3>& joint_names, double begin,
+                                                     double end, const std::filesystem::path& base,
+                                                     QSize size) {
   std::vector<std::filesystem::path> files;
   for (const char* ending : {".pdf", ".svg", ".png"})
     for (auto& file : saveJointFigure(history, joint_names, begin, end, base.string() + ending, size))

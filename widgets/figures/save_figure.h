@@ -21,9 +21,10 @@ std::vector<std::unique_ptr<JointFigure>> jointPages(const JointHistory& history
                                                      const std::array<QString, 3>& joint_names, double begin,
                                                      double end, QSize size);
 
-/// Writes the joint plots to a file, or to NAME-page-1 and so on, and returns the files. Endings and errors as
-/// saveFigure().
-std::vector<std::filesystem::path> saveJointFigure(const JointHistory& history, const std::array<QString, 3>& joint_names, double begin,
+/// Writes the joint plots to a file, or to NAME-page-1 and so on, and returns the files. Endings and errors
+/// as saveFigure().
+std::vector<std::filesystem::path> saveJointFigure(const JointHistory& history,
+                                                   const std::array<QString, 3>& joint_names, double begin,
                                                    double end, const std::filesystem::path& path,
                                                    QSize size = {1200, 900});
 
@@ -35,7 +36,9 @@ std::vector<std::filesystem::path> saveJointFigure(const JointHistory& history, 
 void saveJointTable(const JointHistory& history, double begin, double end, const std::filesystem::path& path);
 
 /// Writes base.pdf, base.svg, base.png and base.csv, and returns the files. Throws base::InputError.
-std::vector<std::filesystem::path> exportJointFigure(const JointHistory& history, const std::array<QString, 3>& joint_names, double begin,
-                       double end, const std::filesystem::path& base, QSize size = {1200, 900});
+std::vector<std::filesystem::path> exportJointFigure(const JointHistory& history,
+                                                     const std::array<QString, 3>& joint_names, double begin,
+                                                     double end, const std::filesystem::path& base,
+                                                     QSize size = {1200, 900});
 
 }  // namespace capstan::widgets

@@ -18,8 +18,10 @@ ExportExtras sessionExtras(const analysis::SessionRecord& record, const JointHis
       {base, [&history, names, base, title](const std::filesystem::path& folder, const PageOptions& pages) {
          const double begin = history.begin(), end = history.end();
          IndexFigure figure{
-             base, fmt::format("Joint plots of {}, {:.1f} to {:.1f} s: true, kinematic, camera, UKF ± 2 σ",
-                               title, begin, end), {}};
+             base,
+             fmt::format("Joint plots of {}, {:.1f} to {:.1f} s: true, kinematic, camera, UKF ± 2 σ", title,
+                         begin, end),
+             {}};
          for (const auto& file :
               exportJointFigure(history, names, begin, end, folder / base, pages.size.dots()))
            figure.files.push_back(file.filename().string());

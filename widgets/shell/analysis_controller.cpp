@@ -52,16 +52,16 @@ void AnalysisController::gather() {
               names[i] = QString::fromStdString(info.robot.joints[i].name);
             panel_.setJointNames(names);
             const auto robot = std::make_shared<std::string>(robot::formatDescription(info.robot));
-            link_.listen(this,
-                        {[gathered = gathered_, robot](const tracking::TrackingPipeline& pipeline) {
-                           std::string now = robot::formatDescription(pipeline.robot());
-                           if (now != *robot) gathered->restart();
-                           *robot = std::move(now);
-                         },
-                         [gathered = gathered_](const tracking::Sample&, const tracking::Snapshot& snapshot) {
-                           gathered->errors.take(snapshot);
-                           gathered->motion.take(snapshot);
-                         }});
+            link_.listen(
+                this, {[gathered = gathered_, robot](const tracking::TrackingPipeline& pipeline) {
+                         std::string now = robot::formatDescription(pipeline.robot());
+                         if (now != *robot) gathered->restart();
+                         *robot = std::move(now);
+                       },
+                       [gathered = gathered_](const tracking::Sample&, const tracking::Snapshot& snapshot) {
+                         gathered->errors.take(snapshot);
+                         gathered->motion.take(snapshot);
+                       }});
             panel_.sessionOpened();
           });
   connect(&link_, &SessionLink::status, this, [this](const live::RunStatus& status) {

@@ -117,8 +117,8 @@ void ExportController::showEnd(const QString& index, const QString& words) {
   views_.news.hide();
   if (index.isEmpty()) return views_.faults.showMessage(words, kAbout);
   views_.notes.addFile(now_, "export", index);
-  views_.news.showNews(
-      words, {{tr("Open"), [index] { QDesktopServices::openUrl(QUrl::fromLocalFile(index)); }}});
+  views_.news.showNews(words,
+                       {{tr("Open"), [index] { QDesktopServices::openUrl(QUrl::fromLocalFile(index)); }}});
 }
 
 void ExportController::fail(const std::exception& error) {

@@ -41,8 +41,9 @@ bool LayoutController::eventFilter(QObject* watched, QEvent* event) {
   auto* dock = qobject_cast<QDockWidget*>(watched);
   if (dock && event->type() == QEvent::Close) {
     const QByteArray before = window_.saveState(kVersion);
-    undo_.changed(tr("closing of %1").arg(dock->windowTitle()),
-                  [this, before] { window_.restoreState(before, kVersion); }, [dock] { dock->close(); });
+    undo_.changed(
+        tr("closing of %1").arg(dock->windowTitle()),
+        [this, before] { window_.restoreState(before, kVersion); }, [dock] { dock->close(); });
   }
   return QMenu::eventFilter(watched, event);
 }
@@ -85,7 +86,8 @@ void LayoutController::reset() {
 void LayoutController::arrange(const QString& what, const std::function<void()>& act) {
   const QByteArray before = window_.saveState(kVersion);
   act();
-  undo_.changed(what, [this, before] { window_.restoreState(before, kVersion); }, act);
+  undo_.changed(
+      what, [this, before] { window_.restoreState(before, kVersion); }, act);
 }
 
 void LayoutController::fill() {

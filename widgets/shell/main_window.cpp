@@ -149,10 +149,8 @@ void MainWindow::addDocks() {
   floatOverCentre(*this, *registration_dock_);
   new RegistrationController(*registration_, *registration_dock_, link_, *bar_, *scene_, *notes_, this);
   new IdentificationController(*identification_, *identification, link_, *bar_, *notes_, this);
-  auto* errors =
-      new AnalysisController(analysis_->errors(), *centre_, link_, *bar_, *errors_, *notes_, this);
-  export_ =
-      new ExportController({*figure_, *notes_, *messages_, *export_news_}, *errors, link_, *bar_, this);
+  auto* errors = new AnalysisController(analysis_->errors(), *centre_, link_, *bar_, *errors_, *notes_, this);
+  export_ = new ExportController({*figure_, *notes_, *messages_, *export_news_}, *errors, link_, *bar_, this);
   new DiagnosisController(*diagnosis_, *centre_, link_, *bar_, *identification_, *notes_, this);
   new LearningController(*learning_, *centre_, link_, *bar_, *notes_, this);
   auto* in_the_centre = new QActionGroup(this);  // one at a time, or the plots
@@ -324,8 +322,7 @@ void MainWindow::onStatus(const live::RunStatus& status) {
   status_->showStatus(status, status.t - recording_since_.value_or(status.t));
   occlusion_->showBlocked(status.blocked);
   bar_->showStatus(status);
-  const QString title =
-      titleOfWindow(title_, status, recording_since_ ? status.t - *recording_since_ : -1.0);
+  const QString title = titleOfWindow(title_, status, recording_since_ ? status.t - *recording_since_ : -1.0);
   if (title != windowTitle()) setWindowTitle(title);
 }
 

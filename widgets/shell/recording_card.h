@@ -15,7 +15,8 @@ inline constexpr int kCardWidth = 96;  ///< width of the image [px]
 
 /// The card of a recording in the user's cache; false: none is stored for the present state of the file.
 bool readCard(const QString& recording, RecordingCard& card);
-/// Reads the recording and stores its card. An unreadable recording has a card that says so. Takes some time.
+/// Reads the recording and stores its card. An unreadable recording has a card that reports it. Takes some
+/// time.
 void makeCard(const QString& recording);
 /// Removes all stored cards but those of `recordings`.
 void keepCards(const QStringList& recordings);

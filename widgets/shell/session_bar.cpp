@@ -39,7 +39,8 @@ SessionBar::SessionBar(QWidget* parent) : QToolBar(tr("Session"), parent) {
   auto* help = add("help", tr("Manual"), QKeySequence::HelpContents, tr("The manual, at the panel in use"));
   help->setShortcutContext(Qt::ApplicationShortcut);  // in floating docks and dialogs too
   connect(help, &QAction::triggered, this, &SessionBar::helpRequested);
-  auto* theme = add("theme", tr("Dark or light"), QKeySequence(QStringLiteral("Ctrl+T")), tr("Dark or light"));
+  auto* theme =
+      add("theme", tr("Dark or light"), QKeySequence(QStringLiteral("Ctrl+T")), tr("Dark or light"));
   connect(theme, &QAction::triggered, this, &SessionBar::themeToggled);
   showAsSign(*help, QStringLiteral("?"));
   showAsSign(*theme, QStringLiteral("◐"));

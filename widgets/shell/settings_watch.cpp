@@ -31,30 +31,34 @@ SettingsWatch::SettingsWatch(MainWindow& window, OcclusionPanel& occlusion, Sett
 void SettingsWatch::onTheme() {
   const QString now = window_.themeName(), before = std::exchange(theme_, now);
   if (now == before) return;
-  undo_.changed(tr("theme %1").arg(now), [this, before] { window_.setThemeNamed(before); },
-                [this, now] { window_.setThemeNamed(now); });
+  undo_.changed(
+      tr("theme %1").arg(now), [this, before] { window_.setThemeNamed(before); },
+      [this, now] { window_.setThemeNamed(now); });
 }
 
 void SettingsWatch::onSpeed(double speed) {
   const double before = std::exchange(speed_, speed);
-  undo_.changed(tr("speed"), [this, before] { window_.bar().setSpeed(before); },
-                [this, speed] { window_.bar().setSpeed(speed); });
+  undo_.changed(
+      tr("speed"), [this, before] { window_.bar().setSpeed(before); },
+      [this, speed] { window_.bar().setSpeed(speed); });
 }
 
 void SettingsWatch::onFolder(const QString& folder) {
   const QString before = std::exchange(folder_, folder);
   if (folder == before) return;
-  undo_.changed(tr("recording folder"), [this, before] { window_.bar().setRecordingFolder(before); },
-                [this, folder] { window_.bar().setRecordingFolder(folder); });
+  undo_.changed(
+      tr("recording folder"), [this, before] { window_.bar().setRecordingFolder(before); },
+      [this, folder] { window_.bar().setRecordingFolder(folder); });
 }
 
 void SettingsWatch::onSchedule(const live::OcclusionSchedule& schedule) {
   const live::OcclusionSchedule before = std::exchange(schedule_, schedule);
-  undo_.changed(tr("occlusion schedule"), [this, before] { setSchedule(before); },
-                [this, schedule] { setSchedule(schedule); });
+  undo_.changed(
+      tr("occlusion schedule"), [this, before] { setSchedule(before); },
+      [this, schedule] { setSchedule(schedule); });
 }
 
-/// As the user would set it: the session follows, and the notes say so.
+/// As the user would set it: the session follows, and the notes report it.
 void SettingsWatch::setSchedule(const live::OcclusionSchedule& schedule) {
   occlusion_.setSchedule(schedule);
   Q_EMIT occlusion_.scheduleChanged(schedule);

@@ -72,7 +72,8 @@ void addMenus(MainWindow& window, QMenuBar& menus) {
   addActions(*session, window, {"run", "step"});
   addActions(*session->addMenu(QObject::tr("Speed")), window, {"slower", "faster"});
   session->addMenu(&window.bar().sources());
-  addActions(*session, window, {"", "record", "recordingFolder", "showFolder", "", "note", "export", "exportEverything"});
+  addActions(*session, window,
+             {"", "record", "recordingFolder", "showFolder", "", "note", "export", "exportEverything"});
   addActions(*menus.addMenu(QObject::tr("&Edit")), window, {"undo", "redo"});
   auto* view = menus.addMenu(QObject::tr("&View"));
   for (std::size_t i = 0; i < kDocks.size(); ++i) addDock(*view, window, kDocks[i], static_cast<int>(i) + 1);
