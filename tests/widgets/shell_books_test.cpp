@@ -225,6 +225,14 @@ TEST_F(Books, SettingsAreUndoneAndDoneAgainByTheirNames) {
   EXPECT_FALSE(window->action("redo")->isEnabled());
 }
 
+TEST_F(Books, EveryActionOfTheBarHasRoomAt1280Pixels) {
+  auto window = windowAtRest();
+  for (auto* action : window->bar().actions()) {
+    const auto* widget = window->bar().widgetForAction(action);
+    EXPECT_TRUE(action->isSeparator() || !widget || widget->isVisible()) << action->text().toStdString();
+  }
+}
+
 TEST_F(Books, UndoEndsWithItsSession) {
   auto window = windowAtRest();
   window->bar().setSpeed(2.0);

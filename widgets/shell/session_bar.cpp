@@ -34,14 +34,15 @@ SessionBar::SessionBar(QWidget* parent) : QToolBar(tr("Session"), parent) {
   addSeparator();
   addExport();
   addGap();
-  connect(add("note", tr("Note"), Qt::Key_N, tr("Write a note at the present moment")), &QAction::triggered,
-          this, &SessionBar::noteRequested);
+  auto* note = add("note", tr("Note"), Qt::Key_N, tr("Write a note at the present moment"));
+  connect(note, &QAction::triggered, this, &SessionBar::noteRequested);
   auto* help = add("help", tr("Manual"), QKeySequence::HelpContents, tr("The manual, at the panel in use"));
   help->setShortcutContext(Qt::ApplicationShortcut);  // in floating docks and dialogs too
   connect(help, &QAction::triggered, this, &SessionBar::helpRequested);
   auto* theme =
       add("theme", tr("Dark or light"), QKeySequence(QStringLiteral("Ctrl+T")), tr("Dark or light"));
   connect(theme, &QAction::triggered, this, &SessionBar::themeToggled);
+  showAsSign(*note, QStringLiteral("✎"));
   showAsSign(*help, QStringLiteral("?"));
   showAsSign(*theme, QStringLiteral("◐"));
 }
