@@ -96,7 +96,10 @@ TEST_F(Books, RecentRecordingsHaveImageDateDurationAndRobot) {
   const QString trial = simulated("trial.capstan", "1.5");
   auto window = makeWindow();
   RecentMenu& recent = window->bar().sources().recent();
-  recent.setFiles({trial, file("gone.capstan"), file("settings.ini")});
+  QFile broken(file("broken.capstan"));
+  ASSERT_TRUE(broken.open(QIODevice::WriteOnly) && broken.write("no session") > 0);
+  broken.close();
+  recent.setFiles({trial, file("gone.capstan"), broken.fileName()});
   recent.popup(window->mapToGlobal(QPoint(50, 50)));
   ASSERT_TRUE(waitFor([&] { return recent.details(0).contains("RAVEN-II left"); }))
       << recent.details(0).toStdString();
@@ -105,6 +108,7 @@ TEST_F(Books, RecentRecordingsHaveImageDateDurationAndRobot) {
   EXPECT_FALSE(recent.actions()[0]->icon().isNull());
   EXPECT_FALSE(recent.actions()[1]->isEnabled());
   EXPECT_EQ(recent.details(1), "no longer there");
+  EXPECT_TRUE(waitFor([&] { return recent.details(2).endsWith("not readable"); }));
   EXPECT_FALSE(test::grab(recent, "recent").isNull());
   recent.close();
 
@@ -187,6 +191,7 @@ TEST_F(Books, LayoutsAreSavedChosenDeletedAndResetByName) {
   window->action("layoutReset")->trigger();
   EXPECT_FALSE(hidden(*window, "scene"));
   EXPECT_FALSE(hidden(*window, "errors"));
+  test::grab(*window, "layout_reset");
   QTest::keyClick(window.get(), Qt::Key_Z, Qt::ControlModifier);
   EXPECT_TRUE(hidden(*window, "errors")) << "undo of the reset";
   QTest::keyClick(window.get(), Qt::Key_Z, Qt::ControlModifier);
