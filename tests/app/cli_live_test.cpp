@@ -97,7 +97,7 @@ TEST_F(CliLive, ARobotOverTcpIsRecorded) {
 
 /// The same images as in the recording come as two network streams, or as one with both eyes.
 TEST_F(CliLive, ARobotWithCamerasIsTracked) {
-  ASSERT_EQ(run("simulate --duration 3 --seed 3 --out " + path("trial.capstan")).exit, 0);
+  ASSERT_EQ(run("simulate --duration 5 --seed 3 --out " + path("trial.capstan")).exit, 0);
   const Ran direct = run("track " + path("trial.capstan") + " --save-registration " +
                          path("registration.yaml") + " --json -");
   ASSERT_EQ(direct.exit, 0) << direct.err;
@@ -112,7 +112,7 @@ TEST_F(CliLive, ARobotWithCamerasIsTracked) {
                                      << "\n  registration: registration.yaml\n  latency: 0.03\n";
     fs::remove(path("track.json"));
     const Ran both =
-        runShell("(" + program + " track --live " + path("live.yaml") + " --duration 2.8 --json " +
+        runShell("(" + program + " track --live " + path("live.yaml") + " --duration 4.8 --json " +
                  path("track.json") + ") & until " + program + " play " + path("trial.capstan") +
                  " --to tcp://127.0.0.1:" + port + " --video " + video + "; do sleep 0.1; [ -e " +
                  path("track.json") + " ] && break; done; wait");
@@ -123,7 +123,7 @@ TEST_F(CliLive, ARobotWithCamerasIsTracked) {
     EXPECT_EQ(cameras["dropped"], 0);
     EXPECT_TRUE(cameras["clock"].is_null());
     const int frames = tracked["frames"];
-    EXPECT_GT(frames, 15) << "of 42; the streams open within the first second";
+    EXPECT_GT(frames, 15) << "of 72; on a busy machine the streams take seconds to open";
     EXPECT_EQ(tracked["detected"][0], frames);
     EXPECT_EQ(tracked["detected"][1], frames);
     EXPECT_EQ(both.err.find("tcp @"), std::string::npos) << "FFmpeg is silent: " << both.err;
