@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "app/cli/outputs.h"
 #include "core/base/table.h"
 #include "core/base/yaml.h"
+#include "core/vision/detection_overlay.h"
 #include "core/vision/marker_file.h"
 #include "core/vision/picture.h"
 #include "core/vision/picture_markers.h"
@@ -17,8 +19,10 @@
 namespace capstan::cli {
 namespace {
 
+namespace fs = std::filesystem;
+
 struct DetectArguments {
-  std::string marker, search = "frame", out, json;
+  std::string marker, search = "frame", out, overlays, json;
   std::vector<std::string> left, right;
 };
 
@@ -37,6 +41,17 @@ struct Row {
   }
 };
 
+// Name of a pair's overlay: numbered, because pictures of several folders may share a name.
+fs::path overlayFile(const fs::path& folder, std::size_t pair, const fs::path& left) {
+  return folder / fmt::format("{:03}_{}.png", pair + 1, left.stem().string());
+}
+
+void makeFolder(const std::string& folder) {
+  std::error_code failed;
+  fs::create_directories(folder, failed);
+  if (failed) refuseFile(folder, "cannot be made: " + failed.message(), "Give another --overlays");
+}
+
 std::vector<Row> detect(const DetectArguments& arguments) {
   vision::PictureMarkers finder(arguments.marker.empty() ? vision::MarkerOptions{}
                                                          : vision::readMarkerFile(arguments.marker));
@@ -46,6 +61,9 @@ std::vector<Row> detect(const DetectArguments& arguments) {
     const std::array<cv::Mat, 2> pictures = {vision::readPicture(row.files[0]),
                                              vision::readPicture(row.files[1])};
     row.markers = arguments.search == "frame" ? finder.inFrames(pictures) : finder.inSequence(pictures);
+    if (!arguments.overlays.empty())
+      vision::writePicture(vision::detectionOverlay(pictures, row.markers),
+                           overlayFile(arguments.overlays, i, row.files[0]));
     rows.push_back(std::move(row));
   }
   return rows;
@@ -123,6 +141,7 @@ ExitCode run(const DetectArguments& arguments) {
   inputs.insert(inputs.end(), arguments.right.begin(), arguments.right.end());
   inputs.push_back(arguments.marker);
   checkOutputs({{"--out", arguments.out}, {"--json", arguments.json}}, inputs);
+  if (!arguments.overlays.empty()) makeFolder(arguments.overlays);
   const auto rows = detect(arguments);
   if (!arguments.out.empty()) base::writeTextFile(arguments.out, base::csvOf(tableOf(rows)));
   const Output output(arguments.json);
@@ -148,6 +167,8 @@ void addDetect(CLI::App& app, ExitCode& exit) {
       ->capture_default_str();
   command->add_option("--out", arguments->out,
                       "table to write (.csv): a row a pair with left_u, left_v, right_u, right_v [px]");
+  command->add_option("--overlays", arguments->overlays,
+                      "folder for pictures of the detections: circle, centroid, and the marker enlarged");
   command->add_option("--json", arguments->json, "result as JSON: a file, or - for standard output");
   command->footer(
       "Example: capstan-cli detect left*.jpg --right right*.jpg --marker marker.yaml --out centroids.csv");

@@ -17,10 +17,11 @@ function(capstan_room)
   endif()
 endfunction()
 
-# A GoogleTest executable, its cases registered with CTest one by one.
-#   capstan_test(NAME robot_test SOURCES … LINKS capstan::robot [TIMEOUT seconds])
+# A GoogleTest executable, its cases registered with CTest one by one; with WHOLE as one test, where its cases
+# share what takes long to make.
+#   capstan_test(NAME robot_test SOURCES … LINKS capstan::robot [TIMEOUT seconds] [WHOLE])
 function(capstan_test)
-  cmake_parse_arguments(TEST "" "NAME;TIMEOUT" "SOURCES;LINKS" ${ARGN})
+  cmake_parse_arguments(TEST "WHOLE" "NAME;TIMEOUT" "SOURCES;LINKS" ${ARGN})
   if(NOT TEST_TIMEOUT)
     set(TEST_TIMEOUT 240)  # on a loaded machine with two cores
   endif()
@@ -28,7 +29,12 @@ function(capstan_test)
   target_link_libraries(${TEST_NAME} PRIVATE ${TEST_LINKS} capstan_test_folders capstan_options GTest::gtest GTest::gmock GTest::gtest_main)
   target_compile_options(${TEST_NAME} PRIVATE ${CAPSTAN_TEST_OPTIONS})
   capstan_precompiled(${TEST_NAME} test)
-  gtest_discover_tests(${TEST_NAME} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT ${TEST_TIMEOUT})
+  if(TEST_WHOLE)
+    add_test(NAME ${TEST_NAME} COMMAND ${TEST_NAME})
+    set_tests_properties(${TEST_NAME} PROPERTIES TIMEOUT ${TEST_TIMEOUT})
+  else()
+    gtest_discover_tests(${TEST_NAME} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT ${TEST_TIMEOUT})
+  endif()
 endfunction()
 
 # A Google Benchmark executable; built with the tests, run by tests/benchmarks/run only.

@@ -9,6 +9,9 @@ namespace {
 
 using ::testing::HasSubstr;
 
+/// One process, its inputs given, and no weights: the default compares two, averages three and weighs states.
+const std::string kQuick = "--method velocity --members 1 --no-weights ";
+
 class CliLearn : public Cli {
  protected:
   CliLearn() {
@@ -48,9 +51,9 @@ TEST_F(CliLearn, LearnsTellsAndCorrects) {
 }
 
 TEST_F(CliLearn, EvaluatesOnTrajectoriesHeldOutAndLearnsFromAll) {
-  ASSERT_EQ(learn("").exit, 0);
+  ASSERT_EQ(learn(kQuick).exit, 0);
   const std::string all = textOf("m.correction");
-  const Ran learned = learn("--hold-out 20 --json " + path("m.json"));
+  const Ran learned = learn(kQuick + "--hold-out 20 --json " + path("m.json"));
   ASSERT_EQ(learned.exit, 0) << learned.err;
   EXPECT_TRUE(textOf("m.correction") == all) << "holding out is for the evaluation alone";
   EXPECT_THAT(learned.out, HasSubstr("4 of 20 trajectories"));
@@ -62,7 +65,7 @@ TEST_F(CliLearn, EvaluatesOnTrajectoriesHeldOutAndLearnsFromAll) {
 }
 
 TEST_F(CliLearn, CorrectsPlannedMotionsAlongTheirPathsOrAtTheirEnds) {
-  ASSERT_EQ(learn("").exit, 0);
+  ASSERT_EQ(learn(kQuick).exit, 0);
   std::string text = "traj,t_s,x,y,z,qx,qy,qz,qw\n";
   for (int k = 0; k <= 10; ++k)
     text += "1," + std::to_string(0.1 * k) + "," + std::to_string(0.01 + 0.001 * k) + ",0,0,0,0,0,1\n";
@@ -120,7 +123,7 @@ TEST_F(CliLearn, SaysWhetherAModelHoldsAndLearnsOn) {
   writeSamplePoses(path("train.csv"), noisy);
   noisy.noise_seed = 2;
   writeSamplePoses(path("test.csv"), noisy);
-  ASSERT_EQ(learn("--method velocity").exit, 0);
+  ASSERT_EQ(learn(kQuick).exit, 0);
   const std::string model = path("m.correction");
   const Ran holds = run("drift --model " + model + " --json " + path("d.json") + " " + path("test.csv"));
   EXPECT_EQ(holds.exit, 0) << holds.out << holds.err;
@@ -161,7 +164,7 @@ TEST_F(CliLearn, SaysWhetherAModelHoldsAndLearnsOn) {
 }
 
 TEST_F(CliLearn, ProposesWhereToGoNext) {
-  ASSERT_EQ(learn("--method velocity").exit, 0);
+  ASSERT_EQ(learn(kQuick).exit, 0);
   const std::string ask = "explore --model " + path("m.correction") + " --count 3 " + path("queries.csv");
   const Ran proposed = run(ask);
   ASSERT_EQ(proposed.exit, 0) << proposed.err;
@@ -228,7 +231,7 @@ TEST_F(CliLearn, RefusesMillimetres) {
   EXPECT_THAT(learn("--method offset --train " + path("milli.csv")).err, HasSubstr(reason));
   EXPECT_THAT(learn("--method offset --test " + path("milli.csv")).err, HasSubstr(reason));
   EXPECT_FALSE(fs::exists(path("m.correction")));
-  ASSERT_EQ(learn("--method none").exit, 0);
+  ASSERT_EQ(learn("--method none --members 1 --no-weights").exit, 0);
   EXPECT_THAT(run("drift --model " + path("m.correction") + " " + path("train.csv")).err,
               HasSubstr("is already part of the training"));
   write("wanted.csv", "x,y,z,qx,qy,qz,qw\n10.0,0,-150,0,0,0,1\n");

@@ -3,8 +3,10 @@
 
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <opencv2/imgcodecs.hpp>
 
 #include "tests/app/cli_fixture.h"
+#include "tests/support/disc_image.h"
 
 namespace capstan::testing {
 namespace {
@@ -118,6 +120,28 @@ TEST_F(CliRegister, FromOneClickOnARealMarkToTheTransform) {
   const auto found = nlohmann::json::parse(ran.out);
   EXPECT_GE(found["used"], 9);
   EXPECT_LE(found["leave_one_out_rms"].get<double>(), 1.2e-3);
+}
+
+TEST_F(CliRegister, DetectDrawsWhatItFound) {
+  base::Random random(5);
+  DiscScene scene;
+  scene.width = 400;
+  scene.height = 360;
+  cv::imwrite(path("left.png"), renderDisc(scene, random));
+  scene.radius = 0.0;
+  cv::imwrite(path("right.png"), renderDisc(scene, random));
+  const Ran ran =
+      run("detect " + path("left.png") + " --right " + path("right.png") + " --overlays " + path("seen"));
+  EXPECT_EQ(ran.exit, 1) << "no pair has both";
+  const cv::Mat seen = cv::imread(path("seen/001_left.png"));
+  ASSERT_EQ(seen.size(), cv::Size(800, 360));
+  EXPECT_GT(seen.at<cv::Vec3b>(60, 80)[2], 240) << "the cross, where the disc is green: it at the centroid";
+  EXPECT_EQ(seen.at<cv::Vec3b>(0, 300), cv::Vec3b(255, 255, 255)) << "the frame of the marker enlarged";
+  std::ofstream(path("file")) << "no folder";
+  EXPECT_THAT(
+      run("detect " + path("left.png") + " --right " + path("right.png") + " --overlays " + path("file/x"))
+          .err,
+      HasSubstr("Give another --overlays"));
 }
 
 TEST_F(CliRegister, MarkerAndDetectRefuseWithTheRemedy) {

@@ -96,6 +96,20 @@ TEST(RowStream, AReaderThatDoesNotReadLosesWholeRowsAndSlowsNobody) {
   EXPECT_TRUE(some.starts_with("0 x"));
 }
 
+/// Opens the FIFO until the stream takes it for reader number `count`. A program that opens it before the
+/// stream has noticed that the last one left is taken for the same reader: nothing in a FIFO tells them
+/// apart.
+FileDescriptor openAsReader(const std::string& path, const RowStream& stream, std::uint64_t count) {
+  for (int attempt = 0; attempt < 20; ++attempt) {
+    FileDescriptor reader(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+    for (int i = 0; i < 50 && stream.counts().readers < count; ++i) std::this_thread::sleep_for(10ms);
+    if (stream.counts().readers == count) return reader;
+    reader.close();
+    std::this_thread::sleep_for(100ms);
+  }
+  return FileDescriptor();
+}
+
 TEST(RowStream, AFifoMayLoseItsReaderAndGetAnother) {
   const std::string path =
       (std::filesystem::temp_directory_path() / fmt::format("rows_{}.fifo", getpid())).string();
@@ -103,8 +117,8 @@ TEST(RowStream, AFifoMayLoseItsReaderAndGetAnother) {
   {
     RowStream stream(parseAddress(path, ""), "header\n");
     for (std::uint64_t readers = 1; readers <= 2; ++readers) {
-      const FileDescriptor reader(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-      waitForReaders(stream, readers);
+      const FileDescriptor reader = openAsReader(path, stream, readers);
+      ASSERT_TRUE(reader.isOpen()) << "reader " << readers;
       stream.send("row\n");
       std::string text;
       while (text.size() < std::string("header\nrow\n").size()) {
