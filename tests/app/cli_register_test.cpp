@@ -135,7 +135,7 @@ TEST_F(CliRegister, DetectDrawsWhatItFound) {
   EXPECT_EQ(ran.exit, 1) << "no pair has both";
   const cv::Mat seen = cv::imread(path("seen/001_left.png"));
   ASSERT_EQ(seen.size(), cv::Size(800, 360));
-  EXPECT_GT(seen.at<cv::Vec3b>(60, 80)[2], 240) << "the cross, where the disc is green: it at the centroid";
+  EXPECT_GT(seen.at<cv::Vec3b>(60, 80)[2], 240) << "the cross at the centroid; the disc is green";
   EXPECT_EQ(seen.at<cv::Vec3b>(0, 300), cv::Vec3b(255, 255, 255)) << "the frame of the marker enlarged";
   std::ofstream(path("file")) << "no folder";
   EXPECT_THAT(

@@ -1,9 +1,12 @@
 // The time line in a real window: a time that was tracked is shown again with its images.
+#include <QClipboard>
+
 #include "tests/widgets/picture.h"
 #include "tests/widgets/shell_fixture.h"
 #include "widgets/figures/joint_figure.h"
 #include "widgets/panels/notes/notes_panel.h"
 #include "widgets/panels/replay/replay_bar.h"
+#include "widgets/shell/plots_controller.h"
 #include "widgets/video/stereo_view.h"
 
 namespace capstan::widgets {
@@ -40,6 +43,31 @@ TEST_F(Shell, ANoteIsATickOfTheTimeLine) {
   auto* replay = window->findChild<ReplayBar*>();
   window->findChild<NotesPanel*>()->addEvent(0.25, "note", "here");
   EXPECT_EQ(replay->line().eventAfter(0.1), 0.25);
+}
+
+TEST_F(Shell, ErrorsOfTheSessionAreInThePlots) {
+  commandLine({"simulate", "--duration", "3", "--out", file("s.capstan")});
+  auto window = makeWindow();
+  window->bar().setSpeed(10.0);
+  window->open(SourceChoice::ofFile(file("s.capstan")));
+  ASSERT_TRUE(waitFor([&] { return window->link().ended(); }));
+  auto* figure = window->findChild<JointFigure*>();
+  const double values = figure->plot(0).drawn()->size();
+  figure->showErrors(true);
+  figure->refresh(true);
+  ASSERT_TRUE(figure->plot(0).drawn());
+  EXPECT_LT(figure->plot(0).drawn()->size(), 0.3 * values);
+  EXPECT_GT(figure->plot(0).graph(Quantity::kCamera)->dataCount(), 20);
+  figure->showStatistics(true);
+  QApplication::processEvents();
+  test::grab(*window, "shell_errors");
+  auto* plots = window->findChild<PlotsController*>();
+  plots->copyNumbers();
+  const QStringList lines = QApplication::clipboard()->text().split('\n');
+  EXPECT_TRUE(lines[0].startsWith("t [s]\t")) << lines[0].toStdString();
+  EXPECT_GT(lines.size(), 100);
+  plots->copyPicture();
+  EXPECT_EQ(QApplication::clipboard()->pixmap().size(), figure->size());
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ constexpr double kGap = 4.0;  ///< gap beside the line and around the words [px]
 DetailMark::DetailMark(QCPAxisRect* axes, const JointHistory& history, bool words)
     : QCPLayerable(axes->parentPlot(), QStringLiteral("legend"), axes),
       axes_(axes),
-      history_(history),
+      history_(&history),
       words_(words) {}
 
 void DetailMark::setTheme(const Theme& theme) {
@@ -25,8 +25,8 @@ void DetailMark::setTheme(const Theme& theme) {
 }
 
 QString DetailMark::text() const {
-  const double left = std::max(axes_->axis(QCPAxis::atBottom)->range().lower, history_.begin());
-  const double block = history_.blockAt(left);
+  const double left = std::max(axes_->axis(QCPAxis::atBottom)->range().lower, history_->begin());
+  const double block = history_->blockAt(left);
   return block > 0.0 ? tr("◂ lowest and highest of %1 s").arg(significantText(block, 2)) : QString();
 }
 
@@ -37,7 +37,7 @@ void DetailMark::draw(QCPPainter* painter) {
   painter->setFont(textFont(kPoints));
   const double wide = QFontMetricsF(painter->font()).horizontalAdvance(before) + 2.0 * kGap;
   const QRect area = axes_->rect();
-  const double at = axes_->axis(QCPAxis::atBottom)->coordToPixel(history_.detailBegin());
+  const double at = axes_->axis(QCPAxis::atBottom)->coordToPixel(history_->detailBegin());
   const double x = std::clamp<double>(at, area.left(), area.right());
   if (at <= area.right()) {
     painter->setPen(QPen(ink_, 1.0, Qt::DashDotLine));

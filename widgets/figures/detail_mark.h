@@ -16,6 +16,8 @@ class DetailMark : public QCPLayerable {
   DetailMark(QCPAxisRect* axes, const JointHistory& history, bool words);
 
   void setTheme(const Theme& theme);
+  /// Sets another history, which must outlive the plot.
+  void setHistory(const JointHistory& history) { history_ = &history; }
   /// Words beside the line for the present time range; empty where the whole range is in full detail.
   QString text() const;
   /// Where the last draw placed the words; null: no words.
@@ -30,7 +32,7 @@ class DetailMark : public QCPLayerable {
   QRectF drawWords(QCPPainter* painter, const QString& words, double left) const;
 
   QCPAxisRect* axes_;
-  const JointHistory& history_;
+  const JointHistory* history_;
   bool words_;
   QColor ink_, ground_;
   QRectF box_;

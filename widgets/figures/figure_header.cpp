@@ -84,13 +84,24 @@ std::vector<FigureHeader::Text> FigureHeader::texts() const {
   return all;
 }
 
+std::optional<Quantity> FigureHeader::entryAt(const QPointF& position) const {
+  for (std::size_t i = 0; i < kColumnOrder.size(); ++i)
+    if (QRectF(sampleBox(i).topLeft(), columnBox(i).bottomRight()).adjusted(-4, -4, 4, 0).contains(position))
+      return kColumnOrder[i];
+  return std::nullopt;
+}
+
 void FigureHeader::draw(QCPPainter* painter) {
   bool title = !title_.isEmpty();
+  std::size_t column = 0;
   for (const Text& text : texts()) {
-    painter->setFont(title ? titleFont(points_) : columnFont());
+    const bool muted = !title && role_ == Role::kLegend && isMuted(column++);
+    QFont font = title ? titleFont(points_) : columnFont();
+    font.setStrikeOut(muted);
+    painter->setFont(font);
     painter->setPen(title && fault_ ? (theme_->isDark() ? theme_->fault : theme_->fault.darker(150))
-                    : title && role_ != Role::kValues ? theme_->muted
-                                                      : theme_->text);
+                    : muted || (title && role_ != Role::kValues) ? theme_->muted
+                                                                 : theme_->text);
     // One pixel wider than the text, because rounding would clip it otherwise.
     painter->drawText(title ? text.box.adjusted(0, 0, 1, 0) : text.box.adjusted(-1, 0, 0, 0),
                       (title ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter | Qt::TextSingleLine,
@@ -103,6 +114,7 @@ void FigureHeader::draw(QCPPainter* painter) {
 }
 
 void FigureHeader::drawSample(QCPPainter* painter, std::size_t column, const QRectF& box) const {
+  if (isMuted(column)) return;
   if (column == HeaderLayout::kSigma) {
     painter->fillRect(box, theme_->band());
     return;

@@ -3,6 +3,7 @@
 #include <qcustomplot.h>
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "widgets/figures/header_layout.h"
@@ -11,12 +12,12 @@
 namespace capstan::widgets {
 
 /// A row above a plot: a title at the left, then one column per quantity. The rows of one figure share their
-/// columns. The legend row writes each quantity's name beside its line; a value row writes its number; a note
-/// is a title alone.
+/// columns. The legend row writes each quantity's name beside its line; a value row writes its number, and a
+/// summary row too, with a quiet title; a note is a title alone. A hidden row has no height.
 class FigureHeader : public QCPLayoutElement {
   Q_OBJECT
  public:
-  enum class Role { kLegend, kValues, kNote };
+  enum class Role { kLegend, kValues, kSummary, kNote };
   static constexpr int kLeftMargin = 8, kRightMargin = 16;  ///< also of the axes [px]
 
   FigureHeader(QCustomPlot* plot, Role role);
@@ -36,6 +37,11 @@ class FigureHeader : public QCPLayoutElement {
   void setSigma(const QString& text) { texts_[HeaderLayout::kSigma] = text; }
   QString sigma() const { return texts_[HeaderLayout::kSigma]; }
 
+  /// Draws a legend's entry as that of a hidden curve.
+  void setMuted(Quantity quantity, bool muted) { muted_[static_cast<std::size_t>(quantity)] = muted; }
+  /// The legend's entry at a position [px], if any.
+  std::optional<Quantity> entryAt(const QPointF& position) const;
+
   /// A text and its box in pixels of the figure; the box of a legend's text includes its line.
   struct Text {
     QString text;
@@ -50,7 +56,11 @@ class FigureHeader : public QCPLayoutElement {
   void draw(QCPPainter* painter) override;
 
  private:
-  int lines() const { return role_ == Role::kNote ? 1 : layout_.lines; }
+  int lines() const { return !visible() ? 0 : role_ == Role::kNote ? 1 : layout_.lines; }
+  /// Whether a column belongs to a hidden curve; the band belongs to the UKF.
+  bool isMuted(std::size_t column) const {
+    return muted_[column == HeaderLayout::kSigma ? static_cast<std::size_t>(Quantity::kUkf) : column];
+  }
   int lineHeight() const;
   QFont titleFont(const HeaderPoints& points) const;
   QFont columnFont() const;
@@ -66,6 +76,7 @@ class FigureHeader : public QCPLayoutElement {
   QString title_;
   bool fault_ = false;
   std::array<QString, HeaderLayout::kColumns> texts_;
+  std::array<bool, HeaderLayout::kSigma> muted_{};
 };
 
 }  // namespace capstan::widgets

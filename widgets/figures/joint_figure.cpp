@@ -5,21 +5,22 @@
 
 #include "widgets/figures/number_text.h"
 #include "widgets/figures/panel_figure.h"
+#include "widgets/figures/range_statistics.h"
 
 namespace capstan::widgets {
 
 namespace {
 
-constexpr double kShortest = 0.05;     ///< least time shown [s]
-constexpr double kCameraReach = 0.1;   ///< greatest distance in time of the camera dot at the cursor [s]
-constexpr double kStepsAPixel = 0.6;   ///< history steps drawn per pixel; one step is up to two points
-constexpr double kFullWidth = 900.0;   ///< paper width at which lines are as wide as on screen [px]
+constexpr double kCameraReach = 0.1;  ///< greatest distance in time of the camera dot at the cursor [s]
+constexpr double kStepsAPixel = 0.6;  ///< history steps drawn per pixel; one step is up to two points
+constexpr double kFullWidth = 900.0;  ///< paper width at which lines are as wide as on screen [px]
+constexpr double kLeastValues = 1.0, kLeastErrors = 0.1;  ///< least ranges of the value axis [deg, deg, mm]
 constexpr double kLiveMargin = 0.015;  ///< share of the time axis right of the newest sample
 
 }  // namespace
 
 JointFigure::JointFigure(const JointHistory& history, Medium medium, QWidget* parent)
-    : QCustomPlot(parent), history_(history), medium_(medium), theme_(&Theme::light()) {
+    : QCustomPlot(parent), values_(history), history_(&history), medium_(medium), theme_(&Theme::light()) {
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
   if (medium == Medium::kScreen) setMinimumSize(320, 260);
@@ -49,8 +50,12 @@ void JointFigure::layOut() {
   auto* left = new QCPMarginGroup(this);
   for (int i = 0; i < 3; ++i) {
     auto& plot = plots_[static_cast<std::size_t>(i)];
-    plot = std::make_unique<JointPlot>(this, history_, i);
+    plot = std::make_unique<JointPlot>(this, *history_, i);
     addRow(plot->header());
+    for (FigureHeader*& row : statistics_[static_cast<std::size_t>(i)]) {
+      addRow(row = new FigureHeader(this, FigureHeader::Role::kSummary));
+      row->setVisible(false);
+    }
     addRow(plot->axes());
     plot->axes()->setMarginGroup(QCP::msLeft, left);
     plot->axes()->setAutoMargins(QCP::msLeft | QCP::msTop | QCP::msBottom);
@@ -62,18 +67,24 @@ void JointFigure::layOut() {
           ->axis(QCPAxis::atLeft)
           ->setLabel(
               QStringLiteral("q%1 [%2]").arg(i + 1).arg(tracking::kJointUnits[static_cast<std::size_t>(i)]));
-    auto* line = new QCPItemStraightLine(this);
-    for (auto* point : {line->point1, line->point2}) {
-      point->setAxisRect(plot->axes());
-      point->setAxes(plot->axes()->axis(QCPAxis::atBottom), plot->axes()->axis(QCPAxis::atLeft));
-      point->setTypeX(QCPItemPosition::ptPlotCoords);
-      point->setTypeY(QCPItemPosition::ptAxisRectRatio);
-    }
-    line->setClipAxisRect(plot->axes());
-    line->setVisible(false);
-    cursor_lines_.push_back(line);
+    flags_[static_cast<std::size_t>(i)] = new NoteFlags(plot->axes(), note_flags_);
+    cursor_lines_.push_back(addLine(*plot));
+    mark_lines_.push_back(addLine(*plot));
   }
   plots_[2]->axes()->axis(QCPAxis::atBottom)->setLabel(tr("time [s]"));
+}
+
+QCPItemStraightLine* JointFigure::addLine(const JointPlot& plot) {
+  auto* line = new QCPItemStraightLine(this);
+  for (auto* point : {line->point1, line->point2}) {
+    point->setAxisRect(plot.axes());
+    point->setAxes(plot.axes()->axis(QCPAxis::atBottom), plot.axes()->axis(QCPAxis::atLeft));
+    point->setTypeX(QCPItemPosition::ptPlotCoords);
+    point->setTypeY(QCPItemPosition::ptAxisRectRatio);
+  }
+  line->setClipAxisRect(plot.axes());
+  line->setVisible(false);
+  return line;
 }
 
 void JointFigure::showOnly(int joint) {
@@ -110,6 +121,10 @@ void JointFigure::setTheme(const Theme& theme) {
           .arg(theme.text.name(), theme.raised.name(), theme.border.name(), theme.accent.name()));
   for (auto& plot : plots_) plot->setTheme(theme, medium_ == Medium::kPaper);
   for (auto* line : cursor_lines_) line->setPen(QPen(theme.text, 1, Qt::DotLine));
+  for (auto* line : mark_lines_) line->setPen(QPen(theme.accent, 1.5));
+  for (auto* flags : flags_) flags->setTheme(theme);
+  for (const auto& rows : statistics_)
+    for (auto* row : rows) row->setTheme(theme);
   fitHeaders();
   refresh();
 }
@@ -128,7 +143,8 @@ void JointFigure::setRemarks(const std::array<QString, 3>& remarks) {
 void JointFigure::setTitles() {
   drawn_ = View();
   for (std::size_t i = 0; i < plots_.size(); ++i)
-    plots_[i]->setTitle(names_[i], tracking::kJointUnits[i], remarks_[i]);
+    plots_[i]->setTitle(errorsShown() ? tr("%1 error").arg(names_[i]) : names_[i], tracking::kJointUnits[i],
+                        unknown_ ? tr("no reference") : remarks_[i]);
   fitHeaders();
 }
 
@@ -152,6 +168,8 @@ void JointFigure::fitHeaders() {
     plot->header()->setLayout(layout, points);
     plot->setTickPoints(ticks);
   }
+  for (const auto& rows : statistics_)
+    for (auto* row : rows) row->setLayout(layout, points);
 }
 
 /// Description of the figure, shortened to the room that there is.
@@ -163,16 +181,16 @@ QString JointFigure::noteText(const QCPRange& time) const {
   const QString span = tr("%1 to %2 s").arg(time.lower, 0, 'f', 2).arg(time.upper, 0, 'f', 2);
   const QString at = tr(" · numbers: at t");
   QString words = tr(" · %1 points drawn · %2 camera observations")
-                      .arg(within(history_.rows()))
-                      .arg(within(history_.camera()));
+                      .arg(within(history_->rows()))
+                      .arg(within(history_->camera()));
   if (!plots_[0]->detailMark().text().isEmpty())
-    words = tr(" · before %1 s lowest and highest values of blocks").arg(history_.detailBegin(), 0, 'f', 2);
+    words = tr(" · before %1 s lowest and highest values of blocks").arg(history_->detailBegin(), 0, 'f', 2);
   const QString whole = span + words + at;
   return note_->textWidth(whole) <= width() - 2.0 * FigureHeader::kRightMargin ? whole : span + at;
 }
 
 QCPRange JointFigure::limits() const {
-  return {history_.begin(), std::max(history_.end(), history_.begin() + kShortest)};
+  return {history_->begin(), std::max(history_->end(), history_->begin() + kShortest)};
 }
 
 QCPRange JointFigure::timeRange() const { return plots_[0]->axes()->axis(QCPAxis::atBottom)->range(); }
@@ -183,25 +201,54 @@ void JointFigure::refresh(bool at_once) {
     fitHeaders();
   }
   if (following_)
-    end_ = std::max(history_.end(), history_.begin() + span_ * (1.0 - kLiveMargin)) + kLiveMargin * span_;
+    end_ = std::max(history_->end(), history_->begin() + span_ * (1.0 - kLiveMargin)) + kLiveMargin * span_;
   const QCPRange time(end_ - span_, end_);
   if (!at_once && viewOf(time) == drawn_) return;
   const std::size_t most = static_cast<std::size_t>(std::max(kStepsAPixel * width(), 200.0));
-  const double readout = cursor_.value_or(following_ ? history_.end() : std::min(end_, history_.end()));
-  legend_->setTitle(history_.empty() ? QString()
-                                     : withMinus(QStringLiteral("t %1 s").arg(readout, 0, 'f', 3)));
   if (note_) note_->setTitle(noteText(time));
   for (std::size_t i = 0; i < plots_.size(); ++i) {
     plots_[i]->axes()->axis(QCPAxis::atBottom)->setRange(time);
     plots_[i]->fill(time.lower, time.upper, most);
     plots_[i]->fitValues();
-    plots_[i]->showValuesAt(readout, kCameraReach);
-    cursor_lines_[i]->setVisible(cursor_.has_value());
-    cursor_lines_[i]->point1->setCoords(readout, 0.0);
-    cursor_lines_[i]->point2->setCoords(readout, 1.0);
+    if (statistics_on_) showStatisticsOf(static_cast<int>(i), time);
   }
+  noticeUnknown();
+  showReadout(cursor_.value_or(following_ ? history_->end() : std::min(end_, history_->end())));
   drawn_ = viewOf(time);
   replot(at_once ? rpImmediateRefresh : rpQueuedReplot);
+}
+
+void JointFigure::showStatisticsOf(int joint, const QCPRange& time) {
+  const auto& [mean, rms] = statistics_[static_cast<std::size_t>(joint)];
+  mean->setTitle(tr("mean error in view"));
+  rms->setTitle(tr("RMS error in view"));
+  for (const Quantity quantity : {Quantity::kKinematic, Quantity::kCamera, Quantity::kUkf}) {
+    const RangeStatistics of = statisticsOf(*errors_, joint, quantity, time.lower, time.upper);
+    mean->setValue(quantity, errorText(of.mean));
+    rms->setValue(quantity, errorText(of.rms));
+  }
+}
+
+void JointFigure::place(const std::vector<QCPItemStraightLine*>& lines, std::optional<double> t) {
+  for (auto* line : lines) {
+    line->setVisible(t.has_value());
+    line->point1->setCoords(t.value_or(0.0), 0.0);
+    line->point2->setCoords(t.value_or(0.0), 1.0);
+  }
+}
+
+/// Writes time and values at t, or the differences from those at the mark.
+void JointFigure::showReadout(double t) {
+  place(cursor_lines_, cursor_);
+  place(mark_lines_, mark_);
+  const QString time = mark_ ? QStringLiteral("Δt %1 s").arg(t - *mark_, 0, 'f', 3)
+                             : QStringLiteral("t %1 s").arg(t, 0, 'f', 3);
+  legend_->setTitle(history_->empty() ? QString() : withMinus(time));
+  for (auto& plot : plots_)
+    if (mark_)
+      plot->showDifferences(*mark_, t, kCameraReach);
+    else
+      plot->showValuesAt(t, kCameraReach);
 }
 
 JointFigure::View JointFigure::viewOf(const QCPRange& time) const {
@@ -210,10 +257,10 @@ JointFigure::View JointFigure::viewOf(const QCPRange& time) const {
             .size = size(),
             .theme = theme_,
             .cursor = cursor_,
-            .begin = std::max(history_.begin(), time.lower),
-            .detail = std::clamp(history_.detailBegin(), time.lower, time.upper),
-            .block = history_.blockAt(std::max(history_.begin(), time.lower)),
-            .revision = history_.end() <= time.upper ? history_.revision() : 0};
+            .begin = std::max(history_->begin(), time.lower),
+            .detail = std::clamp(history_->detailBegin(), time.lower, time.upper),
+            .block = history_->blockAt(std::max(history_->begin(), time.lower)),
+            .revision = history_->end() <= time.upper ? history_->revision() : 0};
   for (std::size_t i = 0; i < plots_.size(); ++i)
     view.values[i] = plots_[i]->axes()->axis(QCPAxis::atLeft)->range();
   return view;
@@ -255,91 +302,61 @@ void JointFigure::setCursor(std::optional<double> t) {
   refresh();
 }
 
-void JointFigure::zoomTime(double factor, double about) {
-  if (following_) {
-    setSpan(span_ * factor);
-    return;
-  }
-  const double share = (end_ - about) / span_;
-  const double old = span_;
-  span_ = std::clamp(span_ * factor, kShortest, std::max(limits().size() * 1.02, 20.0));
-  if (span_ != old) end_ = about + share * span_;
-  setSpan(span_);
+/// Says in the titles whether the errors shown are unknown.
+void JointFigure::noticeUnknown() {
+  const bool unknown = errorsShown() && !plots_[0]->drawn();
+  if (unknown == unknown_) return;
+  unknown_ = unknown;
+  setTitles();
 }
 
-JointPlot* JointFigure::valueAxisAt(const QPointF& position) const {
-  for (const auto& plot : plots_) {
-    const QRect area = plot->axes()->rect();
-    if (position.x() < area.left() && position.y() >= area.top() && position.y() <= area.bottom())
-      return plot.get();
-  }
-  return nullptr;
+void JointFigure::setMark(std::optional<double> t) {
+  mark_ = t;
+  drawAnew();
 }
 
-void JointFigure::wheelEvent(QWheelEvent* event) {
-  const double factor = std::pow(0.85, event->angleDelta().y() / 120.0);
-  if (JointPlot* plot = valueAxisAt(event->position())) {
-    QCPAxis* axis = plot->axes()->axis(QCPAxis::atLeft);
-    plot->setFitting(false);
-    axis->scaleRange(factor, axis->pixelToCoord(event->position().y()));
-    refresh();
-  } else {
-    zoomTime(factor, plots_[0]->axes()->axis(QCPAxis::atBottom)->pixelToCoord(event->position().x()));
-  }
-  event->accept();
+void JointFigure::drawAnew() {
+  drawn_ = View();
+  refresh();
 }
 
-void JointFigure::mousePressEvent(QMouseEvent* event) {
-  if (event->button() != Qt::LeftButton) return;
-  drag_from_ = event->localPos();
-  drag_end_ = end_;
+void JointFigure::setErrors(const JointHistory& errors) { errors_ = &errors; }
+
+void JointFigure::showErrors(bool on) {
+  if (!errors_ || on == errorsShown()) return;
+  history_ = on ? errors_ : &values_;
+  for (auto& plot : plots_) {
+    plot->setHistory(*history_, on ? kLeastErrors : kLeastValues);
+    plot->setFitting(true);
+  }
+  setTitles();
+  Q_EMIT errorsShownChanged(on);
+  drawAnew();
 }
 
-void JointFigure::mouseMoveEvent(QMouseEvent* event) {
-  const QCPAxis* time = plots_[0]->axes()->axis(QCPAxis::atBottom);
-  if (drag_from_ && std::abs(event->localPos().x() - drag_from_->x()) > 3.0) {
-    setFollowing(false);
-    const double seconds = span_ / plots_[0]->axes()->width();
-    end_ = std::clamp(drag_end_ - (event->localPos().x() - drag_from_->x()) * seconds,
-                      limits().lower + 0.1 * span_, limits().upper + 0.9 * span_);
-    refresh();
-    return;
-  }
-  const QRect area = plots_[0]->axes()->rect();
-  const double x = event->localPos().x();
-  if (x < area.left() || x > area.right()) {
-    setCursor(std::nullopt);
-    return;
-  }
-  setCursor(std::clamp(time->pixelToCoord(x), limits().lower, limits().upper));
+void JointFigure::showStatistics(bool on) {
+  if (!errors_ || on == statistics_on_) return;
+  statistics_on_ = on;
+  for (const auto& rows : statistics_)
+    for (auto* row : rows) row->setVisible(on);
+  Q_EMIT statisticsShownChanged(on);
+  drawAnew();
 }
 
-void JointFigure::mouseReleaseEvent(QMouseEvent*) { drag_from_.reset(); }
+void JointFigure::setShown(Quantity quantity, bool on) {
+  legend_->setMuted(quantity, !on);
+  for (auto& plot : plots_) plot->setShown(quantity, on);
+  drawAnew();
+}
 
-void JointFigure::mouseDoubleClickEvent(QMouseEvent*) { setFollowing(true); }
+void JointFigure::showAll() {
+  for (const Quantity quantity : {Quantity::kTrue, Quantity::kKinematic, Quantity::kCamera, Quantity::kUkf})
+    setShown(quantity, true);
+}
 
-void JointFigure::leaveEvent(QEvent*) { setCursor(std::nullopt); }
-
-void JointFigure::keyPressEvent(QKeyEvent* event) {
-  switch (event->key()) {
-    case Qt::Key_End:
-      setFollowing(true);
-      return;
-    case Qt::Key_Plus:
-      zoomTime(0.8, cursor_.value_or(timeRange().center()));
-      return;
-    case Qt::Key_Minus:
-      zoomTime(1.25, cursor_.value_or(timeRange().center()));
-      return;
-    case Qt::Key_Left:
-      setTimeRange(end_ - 1.1 * span_, end_ - 0.1 * span_);
-      return;
-    case Qt::Key_Right:
-      setTimeRange(end_ - 0.9 * span_, end_ + 0.1 * span_);
-      return;
-    default:
-      QCustomPlot::keyPressEvent(event);
-  }
+void JointFigure::setFlags(std::vector<NoteFlag> flags) {
+  note_flags_ = std::move(flags);
+  drawAnew();
 }
 
 void JointFigure::resizeEvent(QResizeEvent* event) {

@@ -8,19 +8,25 @@
 #include <vector>
 
 #include "widgets/figures/joint_plot.h"
+#include "widgets/figures/note_flags.h"
 
+class QMenu;
 class QPushButton;
+class QRubberBand;
 
 namespace capstan::widgets {
 
 /// The three joint plots over one time axis, with one legend and the values under the cursor (else the
-/// newest). Wheel: zoom in time; wheel on a value axis: zoom that axis; drag: move in time; double click, End
-/// or the button at the top right: back to live. The same figure is drawn on screen and into PNG, PDF and SVG
-/// files (save_figure.h).
+/// newest). Wheel: zoom in time; wheel on a value axis: zoom that axis; drag: move in time; Shift and drag:
+/// zoom to the box; double click, End or the button at the top right: back to live. Click on a name in the
+/// legend: hide or show that curve. D: errors in place of positions; S: statistics of the visible range; M:
+/// mark at the cursor, Esc: no mark. The same figure is drawn on screen and into PNG, PDF and SVG files
+/// (save_figure.h).
 class JointFigure : public QCustomPlot {
   Q_OBJECT
  public:
   enum class Medium { kScreen, kPaper };
+  static constexpr double kShortest = 0.05;  ///< least time shown [s]
   /// `history` must outlive the figure.
   explicit JointFigure(const JointHistory& history, Medium medium = Medium::kScreen,
                        QWidget* parent = nullptr);
@@ -36,6 +42,19 @@ class JointFigure : public QCustomPlot {
   void showOnly(int joint);
   /// Whether every plot has its least height (PanelFigure::kLeastAxesHeight) at the present size.
   bool fits() const;
+
+  /// Gives the errors of the same session (appendErrors()); they must outlive the figure.
+  void setErrors(const JointHistory& errors);
+  /// Shows errors in place of positions. Needs setErrors().
+  void showErrors(bool on);
+  bool errorsShown() const { return history_ == errors_; }
+  /// Shows below each title the statistics of the errors in the visible range. Needs setErrors().
+  void showStatistics(bool on);
+  bool statisticsShown() const { return statistics_on_; }
+  void setShown(Quantity quantity, bool on);
+  void showAll();
+  /// Notes of the session, drawn as flags.
+  void setFlags(std::vector<NoteFlag> flags);
 
   /// Draws the present content of the history. `at_once`: inside this call; otherwise when the event loop is
   /// next idle, and only if anything in view has changed.
@@ -54,14 +73,22 @@ class JointFigure : public QCustomPlot {
   /// Sets the time of the values in the headers; none: the newest sample. Mouse moves set it too.
   void setCursor(std::optional<double> t);
   std::optional<double> cursorTime() const { return cursor_; }
+  /// Sets a mark. The headers then show the differences of the values from those at the mark.
+  void setMark(std::optional<double> t);
+  std::optional<double> mark() const { return mark_; }
 
   FigureHeader& legend() { return *legend_; }
   JointPlot& plot(int joint) { return *plots_[static_cast<std::size_t>(joint)]; }
-  const JointHistory& history() const { return history_; }
+  /// Positions, also while errors are shown.
+  const JointHistory& history() const { return values_; }
 
  signals:
   void followingChanged(bool following);
   void spanChanged(double seconds);
+  void errorsShownChanged(bool on);
+  void statisticsShownChanged(bool on);
+  /// The context menu is about to open at `position`; receivers add actions.
+  void menuAboutToShow(QMenu* menu);
 
  protected:
   void wheelEvent(QWheelEvent* event) override;
@@ -72,6 +99,8 @@ class JointFigure : public QCustomPlot {
   void leaveEvent(QEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
+  void contextMenuEvent(QContextMenuEvent* event) override;
+  bool event(QEvent* event) override;
 
  private:
   /// Everything that a drawing depends on, except names and remarks, whose setters draw again.
@@ -87,15 +116,26 @@ class JointFigure : public QCustomPlot {
   };
   View viewOf(const QCPRange& time) const;
   void layOut();
+  QCPItemStraightLine* addLine(const JointPlot& plot);
+  void showStatisticsOf(int joint, const QCPRange& time);
+  void place(const std::vector<QCPItemStraightLine*>& lines, std::optional<double> t);
+  void showReadout(double t);
   void setTitles();
+  void drawAnew();
+  void noticeUnknown();
   void fitHeaders();
   QString noteText(const QCPRange& time) const;
   void placeLiveButton();
   QCPRange limits() const;
   void zoomTime(double factor, double about);
+  void zoomTo(const QRectF& box);
+  void moveTo(const QPointF& position);
+  void clickLegend(const QPointF& position);
   JointPlot* valueAxisAt(const QPointF& position) const;
 
-  const JointHistory& history_;
+  const JointHistory& values_;
+  const JointHistory* errors_ = nullptr;
+  const JointHistory* history_;  ///< the one of the two that is shown
   Medium medium_;
   const Theme* theme_;
   FigureHeader* note_ = nullptr;  ///< on paper: description of the figure
@@ -103,14 +143,22 @@ class JointFigure : public QCustomPlot {
   QPushButton* live_;  ///< goes back to the newest sample; visible while not following
   std::array<std::unique_ptr<JointPlot>, 3> plots_;
   std::array<QString, 3> names_, remarks_;
-  std::vector<QCPItemStraightLine*> cursor_lines_;
+  std::vector<QCPItemStraightLine*> cursor_lines_, mark_lines_;
+  /// Mean and RMS of the errors in view, by joint.
+  std::array<std::array<FigureHeader*, 2>, 3> statistics_{};
+  bool statistics_on_ = false;
+  bool unknown_ = false;  ///< errors are shown, and there is no reference
+  std::vector<NoteFlag> note_flags_;
+  std::array<NoteFlags*, 3> flags_{};
   bool following_ = true;
   double span_ = 20.0;
   double end_ = 0.0;
-  std::optional<double> cursor_;
+  std::optional<double> cursor_, mark_;
   View drawn_;  ///< the view drawn last
   std::optional<QPointF> drag_from_;
   double drag_end_ = 0.0;
+  bool dragged_ = false;
+  QRubberBand* box_ = nullptr;  ///< while a box is drawn
 };
 
 }  // namespace capstan::widgets

@@ -70,22 +70,31 @@ void JointHistory::clear() {
 void JointHistory::append(const Snapshot& snapshot) {
   if (!empty() && snapshot.t < end() - kSetBack) clear();
   if (!empty() && snapshot.t < end()) return;
+  appendRow(snapshot);
+  appendCamera(snapshot);
+}
+
+void JointHistory::appendRow(const Snapshot& snapshot) {
+  if (!empty() && snapshot.t < end()) return;
   const Row row = rowOf(snapshot);
   ++revision_;
   if (!empty() && snapshot.t == end())
     rows_.replaceNewest(row);
   else
     rows_.push(row);
-  if (hasCameraPoint(snapshot) && (camera_.empty() || snapshot.t_cam > camera_.end())) {
-    CameraPoint point;
-    point.t = snapshot.t_cam;
-    for (int i = 0; i < kJoints; ++i)
-      point.value[static_cast<std::size_t>(i)] = inScreenUnit(snapshot.q_link_cam[i], i);
-    camera_.push(point);
-  }
   if (row.occluded && !occluded_now_) occluded_.push({snapshot.t, snapshot.t});
   if (row.occluded || occluded_now_) occluded_.back().end = snapshot.t;
   occluded_now_ = row.occluded;
+}
+
+void JointHistory::appendCamera(const Snapshot& snapshot) {
+  if (!hasCameraPoint(snapshot) || (!camera_.empty() && snapshot.t_cam <= camera_.end())) return;
+  ++revision_;
+  CameraPoint point;
+  point.t = snapshot.t_cam;
+  for (int i = 0; i < kJoints; ++i)
+    point.value[static_cast<std::size_t>(i)] = inScreenUnit(snapshot.q_link_cam[i], i);
+  camera_.push(point);
 }
 
 std::optional<JointHistory::Row> JointHistory::at(double t) const {

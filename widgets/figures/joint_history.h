@@ -52,6 +52,9 @@ class JointHistory {
   /// Adds a snapshot. A snapshot with the time of the last one replaces it. An earlier snapshot is ignored,
   /// or clears the history first if it is more than kSetBack earlier.
   void append(const tracking::Snapshot& snapshot);
+  /// Adds the row of a snapshot alone, or its camera measurement alone.
+  void appendRow(const tracking::Snapshot& snapshot);
+  void appendCamera(const tracking::Snapshot& snapshot);
   void clear();
 
   bool empty() const { return rows_.empty(); }

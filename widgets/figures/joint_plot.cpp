@@ -29,7 +29,7 @@ QPixmap dotImage(const QColor& colour) {
 }  // namespace
 
 JointPlot::JointPlot(QCustomPlot* plot, const JointHistory& history, int joint)
-    : history_(history), joint_(joint) {
+    : history_(&history), joint_(joint) {
   header_ = new FigureHeader(plot, FigureHeader::Role::kValues);
   axes_ = new QCPAxisRect(plot, true);
   axes_->setLayer("background");
@@ -110,8 +110,22 @@ void JointPlot::setTickPoints(double points) {
   }
 }
 
-void JointPlot::include(double value) {
-  if (!std::isfinite(value)) return;
+void JointPlot::setHistory(const JointHistory& history, double least_range) {
+  history_ = &history;
+  least_range_ = least_range;
+  shade_->setHistory(history);
+  detail_mark_->setHistory(history);
+}
+
+void JointPlot::setShown(Quantity quantity, bool on) {
+  graph(quantity)->setVisible(on);
+  if (quantity == Quantity::kKinematic) casing_->setVisible(on);
+  if (quantity == Quantity::kUkf) band_->setVisible(on);
+}
+
+void JointPlot::include(Quantity quantity, float number) {
+  const auto value = static_cast<double>(number);
+  if (!shown(quantity) || !std::isfinite(value)) return;
   drawn_ =
       any_ ? QCPRange(std::min(drawn_.lower, value), std::max(drawn_.upper, value)) : QCPRange(value, value);
   any_ = true;
@@ -133,15 +147,18 @@ void JointPlot::fill(double begin, double end, std::size_t most) {
   band_->begin();
   any_ = false;
   const auto joint = static_cast<std::size_t>(joint_);
-  history_.forEach(begin, end, most, [&](double t, double step, const auto& lows, const auto& highs) {
+  history_->forEach(begin, end, most, [&](double t, double step, const auto& lows, const auto& highs) {
     const JointValues &low = lows[joint], &high = highs[joint];
     truth_.add(t, step, low.truth, high.truth);
     kinematic_.add(t, step, low.kinematic, high.kinematic);
     ukf_.add(t, step, low.ukf, high.ukf);
     band_->add(t + 0.5 * step, static_cast<double>(low.ukf) - 2.0 * static_cast<double>(high.ukf_sigma),
                static_cast<double>(high.ukf) + 2.0 * static_cast<double>(high.ukf_sigma));
-    for (const float value : {low.truth, high.truth, low.kinematic, high.kinematic, low.ukf, high.ukf})
-      include(static_cast<double>(value));
+    for (const JointValues* values : {&low, &high}) {
+      include(Quantity::kTrue, values->truth);
+      include(Quantity::kKinematic, values->kinematic);
+      include(Quantity::kUkf, values->ukf);
+    }
   });
   const double pixel = widths_ * (end - begin) / std::max(axes_->width(), 1);
   const double prominence = widths_ * kProminence * drawn_.size() / std::max(axes_->height(), 1);
@@ -161,10 +178,10 @@ void JointPlot::fillCamera(double begin, double end) {
   const auto add = [&](double t, double value) {
     if (t < begin || t > end) return;
     camera_.append({t, value});
-    include(value);
+    include(Quantity::kCamera, static_cast<float>(value));
   };
   double last = -std::numeric_limits<double>::infinity();
-  history_.forEachCamera(
+  history_->forEachCamera(
       begin, end, most_dots_, [&](double t, double step, const auto& low, const auto& high) {
         const auto a = static_cast<double>(low[joint]), b = static_cast<double>(high[joint]);
         const bool rising = a + b >= last;
@@ -175,22 +192,35 @@ void JointPlot::fillCamera(double begin, double end) {
   graph(Quantity::kCamera)->data()->set(camera_, true);
 }
 
-void JointPlot::showValuesAt(double t, double camera_reach) {
-  const auto row = history_.at(t);
-  const auto camera = history_.cameraAt(t, camera_reach);
+JointPlot::Readout JointPlot::readoutAt(double t, double camera_reach) const {
+  const auto row = history_->at(t);
+  const auto camera = history_->cameraAt(t, camera_reach);
   const auto joint = static_cast<std::size_t>(joint_);
-  const double none = std::numeric_limits<double>::quiet_NaN();
-  const JointValues values = row ? row->joint[joint] : JointValues{NAN, NAN, NAN, NAN};
-  header_->setValue(Quantity::kTrue, valueText(static_cast<double>(values.truth)));
-  header_->setValue(Quantity::kKinematic, valueText(static_cast<double>(values.kinematic)));
-  header_->setValue(Quantity::kCamera, valueText(camera ? static_cast<double>(camera->value[joint]) : none));
-  header_->setValue(Quantity::kUkf, valueText(static_cast<double>(values.ukf)));
-  header_->setSigma(sigmaText(2.0 * static_cast<double>(values.ukf_sigma)));
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  if (!row) return {kNone, kNone, camera ? static_cast<double>(camera->value[joint]) : kNone, kNone, kNone};
+  const JointValues& values = row->joint[joint];
+  return {static_cast<double>(values.truth), static_cast<double>(values.kinematic),
+          camera ? static_cast<double>(camera->value[joint]) : kNone, static_cast<double>(values.ukf),
+          2.0 * static_cast<double>(values.ukf_sigma)};
+}
+
+void JointPlot::showValuesAt(double t, double camera_reach) {
+  const Readout values = readoutAt(t, camera_reach);
+  for (std::size_t i = 0; i < graphs_.size(); ++i)
+    header_->setValue(static_cast<Quantity>(i), valueText(values[i]));
+  header_->setSigma(sigmaText(values.back()));
+}
+
+void JointPlot::showDifferences(double from, double to, double camera_reach) {
+  const Readout before = readoutAt(from, camera_reach), after = readoutAt(to, camera_reach);
+  for (std::size_t i = 0; i < graphs_.size(); ++i)
+    header_->setValue(static_cast<Quantity>(i), valueText(after[i] - before[i]));
+  header_->setSigma(QString());
 }
 
 void JointPlot::fitValues() {
   if (!fitting_ || !any_) return;
-  const double span = std::max(drawn_.size(), 1.0);
+  const double span = std::max(drawn_.size(), least_range_);
   const QCPRange wanted(drawn_.center() - 0.58 * span, drawn_.center() + 0.58 * span);
   QCPAxis* axis = axes_->axis(QCPAxis::atLeft);
   const QCPRange now = axis->range();

@@ -31,6 +31,12 @@ class JointPlot {
   void setTheme(const Theme& theme, bool vectors, double widths = 1.0);
   void setTickPoints(double points);
 
+  /// Sets another history, which must outlive the plot, and the least range of the value axis.
+  void setHistory(const JointHistory& history, double least_range);
+  /// Shows or hides a curve; the band belongs to the UKF. The value axis fits the curves shown.
+  void setShown(Quantity quantity, bool on);
+  bool shown(Quantity quantity) const { return graph(quantity)->visible(); }
+
   /// Sets the largest number of camera dots drawn. Beyond it, the lowest and the highest dot of `most` blocks
   /// are drawn.
   void setMostDots(std::size_t most) { most_dots_ = std::max<std::size_t>(most, 1); }
@@ -39,6 +45,8 @@ class JointPlot {
   void fill(double begin, double end, std::size_t most);
   /// Writes the four values at t into the header, or blanks.
   void showValuesAt(double t, double camera_reach);
+  /// Writes the differences of the values between `from` and `to` into the header.
+  void showDifferences(double from, double to, double camera_reach);
   /// Fits the value axis to the curves drawn: it grows at once, and shrinks when half of it is empty.
   void fitValues();
   void setFitting(bool on) { fitting_ = on; }
@@ -54,11 +62,13 @@ class JointPlot {
   const SigmaBand& band() const { return *band_; }
 
  private:
-  void include(double value);
+  using Readout = std::array<double, 5>;  ///< by Quantity, then 2σ of the UKF; NaN: unknown
+  Readout readoutAt(double t, double camera_reach) const;
+  void include(Quantity quantity, float value);
   void chooseTicks();
   void fillCamera(double begin, double end);
 
-  const JointHistory& history_;
+  const JointHistory* history_;
   int joint_;
   QCPAxisRect* axes_;
   FigureHeader* header_;
@@ -72,6 +82,7 @@ class JointPlot {
   QCPRange drawn_;  ///< range of the values drawn last
   bool any_ = false;
   bool fitting_ = true;
+  double least_range_ = 1.0;
   double widths_ = 1.0;
   std::size_t most_dots_ = 700;
 };

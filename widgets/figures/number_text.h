@@ -27,6 +27,11 @@ inline QString valueText(double value) {
                                     : QString::number(value, 'e', 0));
 }
 
+/// `value` with three decimals where its integer part has one digit, else as valueText().
+inline QString errorText(double value) {
+  return std::abs(value) < 9.9995 ? withMinus(QString::number(value, 'f', 3)) : valueText(value);
+}
+
 /// ± two standard deviations, in the same format. At most six characters below 1e100.
 inline QString sigmaText(double two_sigma) {
   if (!std::isfinite(two_sigma)) return QStringLiteral("—");

@@ -16,7 +16,7 @@ constexpr std::size_t kMostRows = 400;
 OcclusionShade::OcclusionShade(QCPAxisRect* axes, const JointHistory& history, int joint)
     : QCPLayerable(axes->parentPlot(), QStringLiteral("background"), axes),
       axes_(axes),
-      history_(history),
+      history_(&history),
       joint_(static_cast<std::size_t>(joint)) {}
 
 void OcclusionShade::setTheme(const Theme& theme) {
@@ -33,7 +33,7 @@ void OcclusionShade::draw(QCPPainter* painter) {
   const QRect area = axes_->rect();
   painter->setFont(textFont(9.0));
   std::optional<QRectF> box;
-  history_.forEachOcclusion(range.lower, range.upper, kMostRows, [&](double begin, double end) {
+  history_->forEachOcclusion(range.lower, range.upper, kMostRows, [&](double begin, double end) {
     const double left = std::max<double>(time->coordToPixel(begin), area.left());
     const double right = std::min<double>(time->coordToPixel(end), area.right() + 1);
     if (box && left > box->right()) drawBox(painter, *std::exchange(box, std::nullopt));
@@ -76,13 +76,13 @@ std::optional<QCPRange> OcclusionShade::valuesWithin(double begin, double end) c
     least = std::fmin(least, value);  // fmin and fmax pass over NaN
     most = std::fmax(most, value);
   };
-  history_.forEach(begin, end, kMostRows, [&](double, double, const auto& lows, const auto& highs) {
+  history_->forEach(begin, end, kMostRows, [&](double, double, const auto& lows, const auto& highs) {
     const JointValues &low = lows[joint_], &high = highs[joint_];
     for (const float value : {low.truth, high.truth, low.kinematic, high.kinematic, low.ukf, high.ukf,
                               low.ukf - 2.0F * high.ukf_sigma, high.ukf + 2.0F * high.ukf_sigma})
       include(value);
   });
-  history_.forEachCamera(begin, end, kMostRows, [&](double, double, const auto& low, const auto& high) {
+  history_->forEachCamera(begin, end, kMostRows, [&](double, double, const auto& low, const auto& high) {
     include(low[joint_]);
     include(high[joint_]);
   });

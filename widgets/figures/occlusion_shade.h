@@ -20,6 +20,8 @@ class OcclusionShade : public QCPLayerable {
   OcclusionShade(QCPAxisRect* axes, const JointHistory& history, int joint);
 
   void setTheme(const Theme& theme);
+  /// Sets another history, which must outlive the plot.
+  void setHistory(const JointHistory& history) { history_ = &history; }
   /// Number of shades drawn by the last draw.
   int drawn() const { return drawn_; }
   /// Rectangles of the words, by the last draw.
@@ -37,7 +39,7 @@ class OcclusionShade : public QCPLayerable {
   std::optional<QCPRange> valuesWithin(double begin, double end) const;
 
   QCPAxisRect* axes_;
-  const JointHistory& history_;
+  const JointHistory* history_;
   std::size_t joint_;
   QColor shade_, ink_;
   int drawn_ = 0;

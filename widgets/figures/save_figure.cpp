@@ -189,12 +189,16 @@ std::vector<std::filesystem::path> saveJointFigure(const JointHistory& history,
   return files;
 }
 
-void saveJointTable(const JointHistory& history, double begin, double end,
-                    const std::filesystem::path& path) {
+std::string jointTable(const JointHistory& history, double begin, double end) {
   TableLines lines;
   addRows(history, begin, end, lines);
   addCamera(history, begin, end, lines);
-  base::writeTextFile(path, lines.text());
+  return lines.text();
+}
+
+void saveJointTable(const JointHistory& history, double begin, double end,
+                    const std::filesystem::path& path) {
+  base::writeTextFile(path, jointTable(history, begin, end));
 }
 
 std::vector<std::filesystem::path> exportJointFigure(const JointHistory& history,

@@ -4,6 +4,7 @@
 #include <array>
 #include <filesystem>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "widgets/figures/joint_figure.h"
@@ -28,11 +29,14 @@ std::vector<std::filesystem::path> saveJointFigure(const JointHistory& history,
                                                    double end, const std::filesystem::path& path,
                                                    QSize size = {1200, 900});
 
-/// Writes the values of the joint plots as CSV, one row per time: t [s], then for each joint true, kinematic,
+/// The values of the joint plots as CSV, one row per time: t [s], then for each joint true, kinematic,
 /// camera (at its own times), UKF and its sigma, in deg, deg, mm; cells without a value are empty. Before
 /// history.detailBegin(), each block has two rows, one with its lowest and one with its highest values. The
 /// table then has two more columns: "block [s]" is the length of the block, "of block" says lowest or
-/// highest. Throws base::InputError for a path that cannot be written.
+/// highest.
+std::string jointTable(const JointHistory& history, double begin, double end);
+
+/// Writes jointTable(). Throws base::InputError for a path that cannot be written.
 void saveJointTable(const JointHistory& history, double begin, double end, const std::filesystem::path& path);
 
 /// Writes base.pdf, base.svg, base.png and base.csv, and returns the files. Throws base::InputError.

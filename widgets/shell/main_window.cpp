@@ -43,6 +43,7 @@
 #include "widgets/shell/monitor_controller.h"
 #include "widgets/shell/motor_controller.h"
 #include "widgets/shell/occlusion_controller.h"
+#include "widgets/shell/plots_controller.h"
 #include "widgets/shell/recent_menu.h"
 #include "widgets/shell/recording_offer.h"
 #include "widgets/shell/registration_controller.h"
@@ -157,6 +158,7 @@ void MainWindow::addDocks() {
   in_the_centre->setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional);
   for (const char* name : {"analyse", "diagnose", "learn"}) in_the_centre->addAction(action(name));
   new MotorController(*figure_, link_, *bar_, *messages_, *notes_, this);
+  new PlotsController(*figure_, link_, *notes_, *bar_, this);
   new ReplayController(*replay_, {*figure_, *video_, *scene_, *notes_, *messages_}, link_, this);
   monitor_ = new MonitorController(link_, *bar_, *messages_, *notes_, this);
 }
