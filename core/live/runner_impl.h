@@ -8,10 +8,10 @@
 #include <thread>
 #include <utility>
 
-#include "core/base/due_times.h"
 #include "core/base/yaml.h"
 #include "core/live/blocking.h"
 #include "core/live/playback_clock.h"
+#include "core/live/plotted_steps.h"
 #include "core/live/publisher.h"
 #include "core/live/rate_meter.h"
 #include "core/live/recording_slot.h"
@@ -292,19 +292,13 @@ class Runner::Impl {
     if (auto sentence = gate_watch_.observe(snapshot)) recording_.note(t_, "camera", std::move(*sentence));
     if (listener_) listener_.take(sample_, snapshot);
     recording_.offer(snapshot);
-    publisher_.publish(snapshot, isPlotted(snapshot));
+    publisher_.publish(snapshot, plotted_.take(snapshot));
     publishFrames(snapshot);
     meter_.count(motor, camera);
     if (mode_ == Mode::kStep && (camera || (motor && !info_.rig && !camera_seen_ && t_ >= step_end_)))
       mode_ = Mode::kPause;
     camera_seen_ = camera_seen_ || camera;
     publishStatus(mode_ == Mode::kPause);
-  }
-
-  /// Camera samples, motor samples at kHistoryRate, and the references of the latter.
-  bool isPlotted(const tracking::Snapshot& snapshot) {
-    if (snapshot.motor_updated) plotted_ = plots_.due(snapshot.t);
-    return snapshot.camera_updated || (plotted_ && (snapshot.motor_updated || snapshot.reference_paired));
   }
 
   void publishFrames(const tracking::Snapshot& snapshot) {
@@ -369,8 +363,7 @@ class Runner::Impl {
   double speed_ = 1.0;
   double t_ = 0.0, motor_t_ = 0.0;
   double step_end_ = 0.0;
-  base::DueTimes plots_{RunnerOptions::kHistoryRate};
-  bool plotted_ = false;  ///< the newest motor sample is in the history
+  PlottedSteps plotted_{RunnerOptions::kHistoryRate};
   bool quit_ = false, fetched_ = false, camera_seen_ = false;
   tracking::Sample sample_;
   Blocking blocking_;

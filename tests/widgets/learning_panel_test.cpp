@@ -308,11 +308,11 @@ TEST_F(Learning, AModelIsSavedWithWhatItWasLearnedFrom) {
 // Bytes of one file, and errors, from two programs.
 TEST_F(Learning, ModelAndErrorsAreThoseOfTheCommandLine) {
   LearningSettings settings;
-  settings.learning.correction.inducing_points = 200;
+  settings.learning.correction.inducing_points = 60;
   settings.learning.correction.members = 1;
   show(settings);
   SamplePoses monday, tuesday;
-  monday.trajectories = tuesday.trajectories = 6;
+  monday.trajectories = tuesday.trajectories = 4;
   tuesday.seed = 2;
   const QStringList tables = {table("monday.csv", monday), table("tuesday.csv", tuesday)};
   panel->choose({.tables = tables});
@@ -324,7 +324,7 @@ TEST_F(Learning, ModelAndErrorsAreThoseOfTheCommandLine) {
   QProcess process;
   process.start(
       QString::fromStdString(capstan::test::commandLineProgram()),
-      {"learn", "--train", tables[0], tables[1], "--inducing", "200", "--members", "1", "--hold-out", "20",
+      {"learn", "--train", tables[0], tables[1], "--inducing", "60", "--members", "1", "--hold-out", "20",
        "--model", folder.filePath("line.correction"), "--json", folder.filePath("line.json")});
   ASSERT_TRUE(process.waitForFinished(240000));
   ASSERT_EQ(process.exitCode(), 0) << process.readAllStandardError().toStdString();

@@ -139,7 +139,13 @@ TEST(Runner, HistoryHasEveryCameraUpdateAndTheRateAsked) {
   const auto updates =
       std::count_if(history.begin(), history.end(), [](const auto& s) { return s.camera_updated; });
   EXPECT_EQ(updates, 31);
-  EXPECT_NEAR(static_cast<double>(drained) - 31.0, 400.0, 5.0);
+  const auto motors =
+      std::count_if(history.begin(), history.end(), [](const auto& s) { return s.motor_updated; });
+  EXPECT_NEAR(static_cast<double>(motors), 400.0, 5.0);
+  const auto references =
+      std::count_if(history.begin(), history.end(), [](const auto& s) { return s.reference_paired; });
+  EXPECT_NEAR(static_cast<double>(references), static_cast<double>(motors), 1.0);
+  EXPECT_EQ(drained, static_cast<std::size_t>(updates + motors + references));
   EXPECT_TRUE(
       std::is_sorted(history.begin(), history.end(), [](const auto& a, const auto& b) { return a.t < b.t; }));
   EXPECT_EQ(runner->drainHistory(history), 0U);

@@ -171,9 +171,12 @@ TEST(PairRegistration, RefusesWhatIsNotDetermined) {
   Set inches = generated(8, 30, 0.0005, 9);
   for (auto& pair : inches.pairs) pair.camera /= 0.0254;
   EXPECT_EQ(faultOf(inches), PairFault::kScale);
-  Set unrelated = generated(6, 20, 0.0005, 0);
-  for (std::size_t i = 0; i < 10; ++i) std::swap(unrelated.pairs[i].base, unrelated.pairs[19 - i].base);
-  EXPECT_EQ(faultOf(unrelated), PairFault::kNoAgreement);
+  Set reversed = generated(6, 20, 0.0005, 0);
+  for (std::size_t i = 0; i < 10; ++i) std::swap(reversed.pairs[i].base, reversed.pairs[19 - i].base);
+  EXPECT_EQ(faultOf(reversed), PairFault::kScatter);
+  Set two_wrong = generated(9, 5, 0.0005, 0);
+  for (std::size_t i : {0U, 3U}) two_wrong.pairs[i].base += Eigen::Vector3d(0.5, -0.3, 0.4);
+  EXPECT_EQ(faultOf(two_wrong), PairFault::kNoAgreement);
 }
 
 }  // namespace
