@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <filesystem>
 #include <memory>
@@ -20,8 +21,8 @@ constexpr const char* kLeft = "left.yaml";
 constexpr const char* kRight = "right.yaml";
 
 struct CalibrateArguments {
-  std::string folder, out = ".", board = "9x6", json;
-  double square_mm = 25.0;
+  std::string folder, out = ".", kind = "chessboard", dictionary = "4x4", board = "9x6", json;
+  double square_mm = 25.0, marker_mm = 18.0;
   bool write = true, force = false, opencv = false;
   vision::CalibrationOptions options;
 };
@@ -36,6 +37,13 @@ void parseBoard(const std::string& text, vision::CalibrationOptions& options) {
   options.board_rows = rows;
 }
 
+std::string coverageText(const vision::BoardCoverage& coverage) {
+  const std::vector<std::string> missing = coverage.missing();
+  return fmt::format("across {:.0f} %, down {:.0f} %, size {:.0f} %, tilt {:.0f} %{}{}", 100.0 * coverage.x,
+                     100.0 * coverage.y, 100.0 * coverage.size, 100.0 * coverage.skew,
+                     missing.empty() ? "" : "; missing: ", fmt::join(missing, ", "));
+}
+
 std::string textOf(const vision::CalibrationReport& report) {
   const auto& left = report.rig.left;
   const auto& right = report.rig.right;
@@ -48,13 +56,17 @@ std::string textOf(const vision::CalibrationReport& report) {
   text +=
       fmt::format("{:<28}{:>12.4f}{:>12.4f}\n", "reprojection RMS [px]", report.left.rms, report.right.rms);
   text += fmt::format("{:<28}{:>12.4f}\n", "stereo RMS [px]", report.stereo_rms);
-  text += fmt::format("{:<28}{:>12.3f}\n\n", "baseline [mm]", 1e3 * report.rig.baseline());
-  text += fmt::format("{:<28}{:>12}{:>12}{:>12}\n", "view (RMS in px)", "left", "right", "stereo");
+  text += fmt::format("{:<28}{:>12.4f}\n", "epipolar RMS [px]", report.epipolar_rms);
+  text += fmt::format("{:<28}{:>12.3f}\n", "baseline [mm]", 1e3 * report.rig.baseline());
+  text += fmt::format("coverage left   {}\n", coverageText(report.left_coverage));
+  text += fmt::format("coverage right  {}\n\n", coverageText(report.right_coverage));
+  text += fmt::format("{:<28}{:>12}{:>12}{:>12}{:>12}\n", "view (RMS in px)", "left", "right", "stereo",
+                      "epipolar");
   for (const auto& view : report.views) {
     if (view.used())
-      text +=
-          fmt::format("{:<28}{:>12.4f}{:>12.4f}{:>12.4f}{}\n", view.left + " " + view.right, view.left_error,
-                      view.right_error, view.stereo_error, view.outlying ? "  outlier" : "");
+      text += fmt::format("{:<28}{:>12.4f}{:>12.4f}{:>12.4f}{:>12.4f}{}\n", view.left + " " + view.right,
+                          view.left_error, view.right_error, view.stereo_error, view.epipolar_error,
+                          view.outlying ? "  outlier" : "");
     else
       text += fmt::format("{:<28}  rejected: {}\n", view.left + " " + view.right, base::nameOf(view.fault));
   }
@@ -73,6 +85,14 @@ nlohmann::json cameraJson(const vision::Camera& camera, const vision::CameraCali
           {"centre_sigma", fit.centre_sigma}};
 }
 
+nlohmann::json coverageJson(const vision::BoardCoverage& coverage) {
+  return {{"x", coverage.x},
+          {"y", coverage.y},
+          {"size", coverage.size},
+          {"skew", coverage.skew},
+          {"missing", coverage.missing()}};
+}
+
 nlohmann::json jsonOf(const vision::CalibrationReport& report) {
   nlohmann::json views = nlohmann::json::array();
   for (const auto& view : report.views)
@@ -83,12 +103,17 @@ nlohmann::json jsonOf(const vision::CalibrationReport& report) {
                      {"outlier", view.outlying},
                      {"left_rms", view.left_error},
                      {"right_rms", view.right_error},
-                     {"stereo_rms", view.stereo_error}});
+                     {"stereo_rms", view.stereo_error},
+                     {"epipolar_rms", view.epipolar_error}});
   return {{"left", cameraJson(report.rig.left, report.left)},
           {"right", cameraJson(report.rig.right, report.right)},
           {"stereo_rms", report.stereo_rms},
+          {"epipolar_rms", report.epipolar_rms},
+          {"coverage",
+           {{"left", coverageJson(report.left_coverage)}, {"right", coverageJson(report.right_coverage)}}},
           {"baseline", report.rig.baseline()},
           {"views_used", report.views_used},
+          {"other_board", report.other_board[0] > 0 ? nlohmann::json(report.other_board) : nlohmann::json()},
           {"views", views}};
 }
 
@@ -112,6 +137,9 @@ void checkOut(const CalibrateArguments& arguments, const vision::CalibrationInpu
 ExitCode calibrate(CalibrateArguments& arguments) {
   parseBoard(arguments.board, arguments.options);
   arguments.options.square_size = 1e-3 * arguments.square_mm;
+  arguments.options.marker_size = 1e-3 * arguments.marker_mm;
+  arguments.options.board = *base::fromName<vision::BoardKind>(arguments.kind);
+  arguments.options.dictionary = *base::fromName<vision::BoardDictionary>(arguments.dictionary);
   const Output output(arguments.json);
   const auto pairs = vision::findStereoPairs(arguments.folder);
   checkOut(arguments, pairs);
@@ -125,6 +153,11 @@ ExitCode calibrate(CalibrateArguments& arguments) {
     notice("cancelled");
     return kFailed;
   }
+  if (const auto& other = report.other_board; other[0] > 0)
+    notice(
+        fmt::format("the images show a chessboard of {}x{} inner corners, not {}: part of it was used; give "
+                    "--board {}x{}",
+                    other[0], other[1], arguments.board, other[0], other[1]));
   output.text(textOf(report));
   output.json(jsonOf(report));
   if (arguments.write) {
@@ -146,15 +179,32 @@ ExitCode calibrate(CalibrateArguments& arguments) {
 
 void addCalibrate(CLI::App& app, ExitCode& exit) {
   auto arguments = std::make_shared<CalibrateArguments>();
-  CLI::App* command =
-      app.add_subcommand("calibrate", "Calibrate a stereo camera from images of a chessboard");
+  CLI::App* command = app.add_subcommand("calibrate", "Calibrate a stereo camera from images of a board");
   command->add_option("FOLDER", arguments->folder, "folder with left*.png|jpg… and right*.png|jpg…")
       ->required();
-  command->add_option("--board", arguments->board, "number of inner corners, COLUMNSxROWS")
+  command
+      ->add_option("--kind", arguments->kind,
+                   "board: chessboard; charuco (chessboard with markers, also seen in part); aruco (grid of\n"
+                   "markers)")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"chessboard", "charuco", "aruco"}));
+  command
+      ->add_option("--board", arguments->board,
+                   "number of inner corners, COLUMNSxROWS; of an aruco board, of markers")
       ->capture_default_str();
-  command->add_option("--square-mm", arguments->square_mm, "side of a square [mm]")
+  command
+      ->add_option("--square-mm", arguments->square_mm,
+                   "side of a square; of an aruco board, from marker to marker [mm]")
       ->capture_default_str()
       ->check(CLI::Range(0.1, 1000.0));
+  command->add_option("--marker-mm", arguments->marker_mm, "side of a marker [mm]")
+      ->capture_default_str()
+      ->check(CLI::Range(0.1, 1000.0));
+  command
+      ->add_option("--dictionary", arguments->dictionary,
+                   "family of the markers: 4x4, 5x5, 6x6, original, apriltag_36h11")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"4x4", "5x5", "6x6", "original", "apriltag_36h11"}));
   command
       ->add_option("--outlier-factor", arguments->options.outlier_factor,
                    "exclude views whose error exceeds this multiple of the median error; 0: keep all")
@@ -170,6 +220,7 @@ void addCalibrate(CLI::App& app, ExitCode& exit) {
   command->footer(
       "Examples:\n"
       "  capstan-cli calibrate pictures/ --board 9x6 --square-mm 25 --out cameras/\n"
+      "  capstan-cli calibrate pictures/ --kind charuco --board 11x7 --square-mm 20 --marker-mm 15\n"
       "  capstan-cli calibrate pictures/ --no-write --json -");
   command->callback([arguments, &exit] { exit = calibrate(*arguments); });
 }

@@ -26,6 +26,7 @@ void addInfo(CLI::App& app, ExitCode& exit);
 void addConvert(CLI::App& app, ExitCode& exit);
 void addDevices(CLI::App& app, ExitCode& exit);
 void addDiagnose(CLI::App& app, ExitCode& exit);
+void addCompare(CLI::App& app, ExitCode& exit);
 void addReport(CLI::App& app, ExitCode& exit);
 void addExport(CLI::App& app, ExitCode& exit);
 void addFigures(CLI::App& app, ExitCode& exit);

@@ -55,6 +55,7 @@ int run(int argc, char** argv) {
   cli::addPlay(app, exit);
   cli::addIdentify(app, exit);
   cli::addDiagnose(app, exit);
+  cli::addCompare(app, exit);
   cli::addLearn(app, exit);
   cli::addCorrect(app, exit);
   cli::addDrift(app, exit);

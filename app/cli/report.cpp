@@ -13,6 +13,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/console.h"
+#include "app/cli/health_output.h"
 #include "app/cli/outputs.h"
 #include "app/cli/recordings.h"
 #include "app/cli/report_figures.h"
@@ -242,6 +243,7 @@ ExitCode report(ReportArguments& arguments, const CLI::App& command) {
                   .recorded_here = simulates};
   page.own_kinematics = info.own_kinematics;
   page.robot = info.robot.name;
+  page.health = tracking::healthOf(result, info.robot, options.memory);
   page.rows = reportRows(result, after, info.own_kinematics);
   page.plots = figures.save(names, folder);
   page.plots_begin = figures.begin();
@@ -252,8 +254,9 @@ ExitCode report(ReportArguments& arguments, const CLI::App& command) {
   base::writeTextFile(folder / "index.html", indexHtml(page, result));
 
   output.text(fmt::format("robot          {}\n", info.robot.name) + textOf(result, info, 0.0) +
-              textOf(page.rows) + fmt::format("\nreport         {}\n", (folder / "index.html").string()));
+              healthText(page.health) + textOf(page.rows) + fmt::format("\nreport         {}\n", (folder / "index.html").string()));
   nlohmann::json document = jsonOf(result, info);
+  document["health"] = healthJson(page.health);
   document["identified"] = jsonOf(after, info);
   output.json(document);
   if (after.cancelled) notice("cancelled: the identified constants are not in the report");

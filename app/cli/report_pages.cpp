@@ -6,6 +6,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "app/cli/health_output.h"
 #include "app/cli/html_text.h"
 #include "app/cli/track_output.h"
 #include "core/base/units.h"
@@ -133,7 +134,7 @@ std::string indexHtml(const ReportPage& page, const tracking::TrackReport& repor
   if (!page.robot.empty()) html += fmt::format("<p>Kinematics and filter of {}.</p>\n", escaped(page.robot));
   html += errorsHtml(report.errors);
   if (report.errors.ukf().count() == 0) html += "<p>The recording holds no reference.</p>\n";
-  html += "<h2>Tracking</h2>\n" + numbersHtml(report);
+  html += "<h2>Tracking</h2>\n" + numbersHtml(report) + healthHtml(page.health);
   if (page.plots)
     html += fmt::format(
         "<h2>Joints</h2>\n<p>{:.2f} s to {:.2f} s. Curves are drawn with at most 200 points per second and "

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/cli/report_rows.h"
+#include "core/tracking/health.h"
 #include "core/tracking/track_all.h"
 
 namespace capstan::cli {
@@ -16,6 +17,7 @@ struct ReportPage {
   std::string recording;             ///< file name of the recording
   std::string robot = {};            ///< robot of the kinematic errors and of the filter
   std::vector<ReportRow> rows = {};  ///< from nominal to identified constants; empty: none
+  std::vector<tracking::HealthCheck> health = {};
   bool simulated = false;
   bool recorded_here = false;   ///< the recording lies in the folder itself
   bool own_kinematics = false;  ///< the reference is the robot's own kinematics

@@ -1,6 +1,7 @@
 #include "app/cli/command.h"
 #include "app/cli/study_cramer_rao.h"
 #include "app/cli/study_filter.h"
+#include "app/cli/study_health.h"
 #include "app/cli/study_latency.h"
 #include "app/cli/study_monte_carlo.h"
 #include "app/cli/study_motor_failure.h"
@@ -20,6 +21,7 @@ void addStudy(CLI::App& app, ExitCode& exit) {
   addLatencyStudy(*study, exit);
   addFilterStudy(*study, exit);
   addOneCameraStudy(*study, exit);
+  addHealthStudy(*study, exit);
 }
 
 }  // namespace capstan::cli

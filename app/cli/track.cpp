@@ -10,6 +10,7 @@
 #include "app/cli/centroid_study.h"
 #include "app/cli/command.h"
 #include "app/cli/console.h"
+#include "app/cli/health_output.h"
 #include "app/cli/live_option.h"
 #include "app/cli/outputs.h"
 #include "app/cli/recordings.h"
@@ -200,8 +201,11 @@ ExitCode track(TrackArguments& arguments, const CLI::App& command) {
   }
   estimates.close();
 
-  std::string text = textOf(report, info, spent.count());
+  report.lost = tracking::lostOf(source->sides());
+  const auto health = tracking::healthOf(report, info.robot, options.memory);
+  std::string text = textOf(report, info, spent.count()) + healthText(health);
   nlohmann::json document = jsonOf(report, info);
+  document["health"] = healthJson(health);
   document["title"] = info.title;
   if (study && report.frames > 0) {
     text += study->text();

@@ -109,7 +109,11 @@ SessionRecord recordOf(const std::filesystem::path& recording, const std::filesy
                        base::Progress& progress, const std::function<void(const tracking::Snapshot&)>& each) {
   SessionRecord record;
   RunWatch watch;
-  watch.begin = [&record](const tracking::SourceInfo& info) {
+  robot::Description filter_robot;
+  double memory = 0.0;
+  watch.begin = [&](const tracking::SourceInfo& info) {
+    filter_robot = info.robot;
+    memory = tracking::trackingOptionsOf(info).memory;
     recording::SessionHeader header = recording::headerOf(info, {});
     header.tracking = base::writeYaml(tracking::trackingOptionsOf(info));
     record.settings = settingsOf(header);
@@ -121,6 +125,7 @@ SessionRecord recordOf(const std::filesystem::path& recording, const std::filesy
     each(snapshot);
   };
   record.run = trackRun(recording, robot, progress, watch);
+  record.health = tracking::healthOf(record.report, filter_robot, memory);
   if (recording.extension() == recording::kSessionSuffix)
     record.events = recording::readSessionEvents(recording);
   return record;
@@ -129,6 +134,7 @@ SessionRecord recordOf(const std::filesystem::path& recording, const std::filesy
 std::vector<experiments::NamedTable> tablesOf(const SessionRecord& record) {
   std::vector<experiments::NamedTable> tables;
   tables.push_back({record.run.name + "-report", reportTable(record)});
+  if (!record.health.empty()) tables.push_back({record.run.name + "-health", tracking::healthTable(record.health)});
   if (!record.events.empty()) tables.push_back({record.run.name + "-events", eventTable(record)});
   return tables;
 }

@@ -10,6 +10,7 @@
 #include "core/base/progress.h"
 #include "core/experiments/tables.h"
 #include "core/recording/session_file.h"
+#include "core/tracking/health.h"
 #include "core/tracking/track_all.h"
 
 namespace capstan::analysis {
@@ -27,6 +28,7 @@ std::vector<SettingsFile> settingsOf(const recording::SessionHeader& header);
 struct SessionRecord {
   ErrorRun run;  ///< errors and trajectory
   tracking::TrackReport report;
+  std::vector<tracking::HealthCheck> health;
   std::array<std::string, 3> joint_names;
   std::vector<recording::SessionEvent> events;
   std::vector<SettingsFile> settings;
@@ -38,8 +40,8 @@ struct SessionRecord {
 SessionRecord recordOf(const std::filesystem::path& recording, const std::filesystem::path& robot,
                        base::Progress& progress, const std::function<void(const tracking::Snapshot&)>& each);
 
-/// Tables of the record, NAME-report (tracking, gate, consistency of the filter, transmission errors) and
-/// NAME-events, where NAME is run.name.
+/// Tables of the record, NAME-report (tracking, gate, consistency of the filter, transmission errors),
+/// NAME-health and NAME-events, where NAME is run.name.
 std::vector<experiments::NamedTable> tablesOf(const SessionRecord& record);
 
 }  // namespace capstan::analysis

@@ -5,8 +5,8 @@
 
 namespace capstan::live {
 
-/// Chooses the steps that plots show: camera samples, motor samples at a limited rate, and the references that
-/// belong to the latter.
+/// Chooses the steps that plots show: camera samples, motor samples at a limited rate, and the references
+/// that belong to the latter.
 class PlottedSteps {
  public:
   /// `rate`: motor samples per second of the session [Hz].

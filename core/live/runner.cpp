@@ -53,6 +53,7 @@ void Runner::stopRecording() { impl_->stopRecording(); }
 std::shared_ptr<const recording::Recorder> Runner::recorder() const { return impl_->recorder(); }
 RunStatus Runner::status() const { return impl_->status(); }
 tracking::TrackReport Runner::report() const { return impl_->report(); }
+std::vector<tracking::HealthCheck> Runner::health() const { return impl_->health(); }
 bool Runner::takeSnapshot(tracking::Snapshot& out) { return impl_->publisher().takeSnapshot(out); }
 bool Runner::takeFrames(tracking::StereoFrame& out, tracking::Snapshot* seen) {
   return impl_->publisher().takeFrames(out, seen);

@@ -10,6 +10,7 @@
 
 #include "core/live/occlusion.h"
 #include "core/recording/recorder.h"
+#include "core/tracking/health.h"
 #include "core/tracking/pipeline.h"
 #include "core/tracking/source.h"
 #include "core/tracking/track_all.h"
@@ -114,6 +115,8 @@ class Runner {
   RunStatus status() const;
   /// Report over every step since the start or resetErrors(); at most 0.1 s old.
   tracking::TrackReport report() const;
+  /// Checks of the estimator over report(), for the robot in use.
+  std::vector<tracking::HealthCheck> health() const;
   /// Copies the newest snapshot to `out`; false if it was taken before.
   bool takeSnapshot(tracking::Snapshot& out);
   /// Moves the newest frames of the pipeline to `out` by exchanging images without copying. `seen` receives

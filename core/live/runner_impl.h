@@ -182,6 +182,9 @@ class Runner::Impl {
   }
 
   tracking::TrackReport report() const { return kept(published_report_); }
+  std::vector<tracking::HealthCheck> health() const {
+    return tracking::healthOf(report(), robot(), tracking_.memory);
+  }
 
   bool waitUntilIdle(double seconds) {
     std::unique_lock lock(mutex_);
@@ -335,6 +338,7 @@ class Runner::Impl {
     {
       const std::lock_guard lock(mutex_);
       published_report_ = report_;
+      published_report_.lost = tracking::lostOf(sides);
       status_.state = mode_ == Mode::kDone    ? done_
                       : mode_ == Mode::kPause ? RunState::kPaused
                                               : RunState::kRunning;

@@ -65,8 +65,8 @@ void TrackingPipeline::Impl::beginCamera(double t, double t_arrival, bool images
   ++snapshot_.camera_samples;
   snapshot_.t_cam = t;
   snapshot_.latency = t_arrival - t;
-  for (Vector3d* v :
-       {&snapshot_.q_link_cam, &snapshot_.q_link_cam_sigma, &snapshot_.tip_in_camera, &snapshot_.tip_cam})
+  for (Vector3d* v : {&snapshot_.q_link_cam, &snapshot_.q_link_cam_sigma, &snapshot_.tip_in_camera,
+                      &snapshot_.tip_cam, &snapshot_.innovation, &snapshot_.innovation_sigma})
     v->setConstant(kNan);
   snapshot_.tip_in_camera_covariance.setConstant(kNan);
   snapshot_.q_link_true_cam = reference_.at(t, kReferenceHold).value_or(Vector3d::Constant(kNan));
@@ -111,8 +111,9 @@ void TrackingPipeline::Impl::observeTip(const Vector3d& tip, const Matrix3d& cov
     seen->position -= slow_->residual(*slow);
   }
   const bool whole = slow && watch_.unknown() == 0;
-  snapshot_.nis = whole ? slow_->innovation(*slow).nis
-                        : filter_.peek(t, positions_, seen->position, root)->nis;  // the state at t is there
+  const auto of_tip = whole ? std::optional(slow_->innovation(*slow)) : std::nullopt;
+  const auto of_joints = whole ? std::nullopt : std::optional(*filter_.peek(t, positions_, seen->position, root));
+  snapshot_.nis = whole ? of_tip->nis : of_joints->nis;
   const bool accepted = accept(t, snapshot_.nis, *seen, corrected(*kinematic));
   snapshot_.gate = accepted ? Gate::kOpen : Gate::kJump;
   if (!accepted) return;
@@ -124,6 +125,10 @@ void TrackingPipeline::Impl::observeTip(const Vector3d& tip, const Matrix3d& cov
   if (whole != nis_of_transmission_) nis_.reset();
   nis_of_transmission_ = whole;
   nis_.add(snapshot_.nis);
+  if (whole)
+    showInnovation(*of_tip, mean);
+  else
+    showInnovation(of_joints->innovation, of_joints->root * of_joints->root.transpose());
   last_seen_ = std::max(last_seen_, t);
 }
 
@@ -164,6 +169,18 @@ void TrackingPipeline::Impl::observeRay(const vision::CameraRay& ray,
     correctSince(t, before);
   }
   snapshot_.ray_used = filter_.update(t, positions_, seen->position, root).has_value();
+}
+
+void TrackingPipeline::Impl::showInnovation(const Vector3d& innovation, const Matrix3d& covariance) {
+  snapshot_.innovation = innovation;
+  snapshot_.innovation_sigma = covariance.diagonal().cwiseSqrt();
+}
+
+void TrackingPipeline::Impl::showInnovation(const TransmissionEstimator::Innovation& tip,
+                                            const Filter::State& mean) {
+  const Matrix3d joints_from_tip = arm_.tipJacobian(Vector3d(mean(0), mean(2), mean(4))).inverse();
+  showInnovation(Vector3d(joints_from_tip * tip.value),
+                 joints_from_tip * tip.covariance * joints_from_tip.transpose());
 }
 
 TransmissionEstimator::Observation TrackingPipeline::Impl::slowObservation(double t, const Vector3d& tip,

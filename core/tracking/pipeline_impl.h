@@ -130,6 +130,9 @@ class TrackingPipeline::Impl {
   /// Converts a tip in frame 0 to q_cam, applies the gate and updates the filter. `covariance` is that of the
   /// tip's error, `white` that of the part that is independent in each frame [m²].
   void observeTip(const Vector3d& tip, const Matrix3d& covariance, const Matrix3d& white);
+  /// Publishes the innovation of the joints; of the augmented filter, from that of the tip.
+  void showInnovation(const Vector3d& innovation, const Matrix3d& covariance);
+  void showInnovation(const TransmissionEstimator::Innovation& tip, const Filter::State& mean);
   TransmissionEstimator::Observation slowObservation(double t, const Vector3d& tip, const Matrix3d& white,
                                                      const Filter::State& mean,
                                                      const Vector3d& kinematic) const;

@@ -72,6 +72,9 @@ struct Snapshot {
   TransmissionEstimate transmission;  ///< estimate of the augmented filter; else empty
 
   double nis = 0.0;            ///< NIS of the last update
+  /// Innovation of the joints at the newest accepted camera sample, q_cam minus its prediction [rad, rad, m],
+  /// and the standard deviation that the filter predicts for it; NaN where the sample was not accepted.
+  Eigen::Vector3d innovation, innovation_sigma;
   double nis_mean = 0.0;       ///< mean NIS of the last camera updates, divided by its degrees of freedom
   bool nis_consistent = true;  ///< nis_mean inside the 95 % chi-square band
   double nees = 0.0;  ///< NEES of the joint positions (3 degrees of freedom) if the truth is known, else NaN

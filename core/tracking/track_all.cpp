@@ -24,6 +24,7 @@ void TrackReport::add(const Snapshot& snapshot) {
   }
   rescues += rescue_rise_.to(snapshot.rescues);
   late_dropped += late_rise_.to(snapshot.late_dropped);
+  motor_refused += refused_rise_.to(snapshot.motor_refused);
   if (snapshot.reference_paired && std::isfinite(snapshot.nees)) {
     nees_sum += snapshot.nees;
     ++nees_count;
@@ -31,6 +32,8 @@ void TrackReport::add(const Snapshot& snapshot) {
   if (!snapshot.camera_updated) return;
   ++camera_samples;
   ++gates[static_cast<std::size_t>(snapshot.gate)];
+  latencies.add(snapshot.latency);
+  innovations.add(snapshot.t_cam, snapshot.innovation, snapshot.innovation_sigma);
   if (snapshot.gate == Gate::kOpen) nis_sum += snapshot.nis;
   if (snapshot.ray_used) {
     ++rays;

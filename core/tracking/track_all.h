@@ -9,6 +9,8 @@
 
 #include "core/base/progress.h"
 #include "core/tracking/error_table.h"
+#include "core/tracking/innovation_record.h"
+#include "core/tracking/latency_counts.h"
 #include "core/tracking/pipeline.h"
 
 namespace capstan::tracking {
@@ -28,7 +30,11 @@ struct TrackReport {
   double ray_nis_sum = 0.0;                   ///< sum of their NIS
   double nees_sum = 0.0;                      ///< sum of NEES over paired references
   std::uint64_t nees_count = 0;
+  InnovationRecord innovations;  ///< of accepted camera samples
+  LatencyCounts latencies;       ///< of camera samples
   std::uint64_t rescues = 0, late_dropped = 0;
+  std::uint64_t motor_refused = 0;  ///< motor samples that were not finite or not later than the one before
+  std::uint64_t lost = 0;           ///< samples that a live source lost or dropped, lostOf(); else 0
   std::array<MotorFault, 3> motor_failed{};    ///< failed encoders at the end
   std::array<double, 3> motor_failed_since{};  ///< time of detection or declaration [s]
   TransmissionEstimate transmission;           ///< estimate of the augmented filter at the end
@@ -52,7 +58,7 @@ struct TrackReport {
       return total - from;
     }
   };
-  Rise rescue_rise_, late_rise_;
+  Rise rescue_rise_, late_rise_, refused_rise_;
 };
 
 template <class T>

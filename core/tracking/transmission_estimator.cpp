@@ -130,8 +130,8 @@ auto TransmissionEstimator::innovation(const Reading& reading) const -> Innovati
   Innovation innovation;
   innovation.value = reading.z - reading.h * regression_.mean();
   const Matrix3d slow = reading.h * covariance_ * reading.h.transpose() + reading.cables;
-  const Matrix3d predicted = reading.white + share_.value() * slow;
-  innovation.nis = innovation.value.dot(Vector3d(predicted.llt().solve(innovation.value)));
+  innovation.covariance = reading.white + share_.value() * slow;
+  innovation.nis = innovation.value.dot(Vector3d(innovation.covariance.llt().solve(innovation.value)));
   return innovation;
 }
 

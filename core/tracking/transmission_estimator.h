@@ -52,7 +52,8 @@ class TransmissionEstimator {
     Eigen::Matrix3d open = Eigen::Matrix3d::Zero();
   };
   struct Innovation {
-    Eigen::Vector3d value;  ///< innovation of the tip [m]
+    Eigen::Vector3d value;       ///< innovation of the tip [m]
+    Eigen::Matrix3d covariance;  ///< predicted covariance of value [m²]
     double nis;             ///< NIS under the predicted covariance: chi-square, 3 degrees of freedom
   };
   static constexpr double kMostSigmas = 6.0;

@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <cctype>
 #include <limits>
-#include <opencv2/calib3d.hpp>
 #include <opencv2/imgcodecs.hpp>
-#include <opencv2/imgproc.hpp>
 #include <set>
 
 #include "core/base/error.h"
+#include "core/vision/board_size_votes.h"
 
 namespace capstan::vision {
 
@@ -34,30 +33,15 @@ bool isImage(const fs::path& path) {
                           "Give a folder with image pairs named left01.png, right01.png and so on"});
 }
 
-/// Whether all corners of the board were found; if so, refines them to sub-pixel accuracy.
-bool findCorners(const cv::Mat& grey, const CalibrationOptions& options, std::vector<cv::Point2f>& corners) {
-  const cv::Size board(options.board_columns, options.board_rows);
-  if (!cv::findChessboardCorners(grey, board, corners,
-                                 cv::CALIB_CB_ADAPTIVE_THRESH | cv::CALIB_CB_NORMALIZE_IMAGE))
-    return false;
-  constexpr int kSteps = 50;
-  constexpr double kSmallest = 1e-3;  // [px]
-  cv::cornerSubPix(grey, corners, cv::Size(options.corner_window, options.corner_window), cv::Size(-1, -1),
-                   cv::TermCriteria(cv::TermCriteria::COUNT | cv::TermCriteria::EPS, kSteps, kSmallest));
-  return true;
-}
-
-/// Smallest distance between neighbouring corners of a row or column [px].
-double smallestSpacing(const std::vector<cv::Point2f>& corners, int columns) {
+/// Smallest distance between corners that are neighbours on the board [px].
+double smallestSpacing(const std::vector<cv::Point3f>& points, const std::vector<cv::Point2f>& pixels) {
+  double step = std::numeric_limits<double>::infinity();  // between neighbours on the board
+  for (std::size_t i = 1; i < points.size(); ++i) step = std::min(step, cv::norm(points[i] - points[0]));
   double smallest = std::numeric_limits<double>::infinity();
-  const auto take = [&](std::size_t i, std::size_t j) {
-    smallest = std::min(smallest, cv::norm(corners[i] - corners[j]));
-  };
-  const auto across = static_cast<std::size_t>(columns);
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    if ((i + 1) % across != 0) take(i, i + 1);
-    if (i + across < corners.size()) take(i, i + across);
-  }
+  for (std::size_t i = 0; i < points.size(); ++i)
+    for (std::size_t j = i + 1; j < points.size(); ++j)
+      if (cv::norm(points[i] - points[j]) < 1.01 * step)
+        smallest = std::min(smallest, cv::norm(pixels[i] - pixels[j]));
   return smallest;
 }
 
@@ -89,19 +73,46 @@ CalibrationInput findStereoPairs(const fs::path& folder) {
   return input;
 }
 
-std::vector<cv::Point3f> boardPoints(const CalibrationOptions& options) {
-  std::vector<cv::Point3f> points;
-  for (int row = 0; row < options.board_rows; ++row)
-    for (int column = 0; column < options.board_columns; ++column)
-      points.emplace_back(static_cast<float>(column * options.square_size),
-                          static_cast<float>(row * options.square_size), 0.0F);
-  return points;
+void addPair(const cv::Mat& left, const cv::Mat& right, const BoardFinder& finder,
+             const CalibrationOptions& options, CalibrationView view, BoardViews& views, bool search) {
+  if (views.size.empty()) views.size = !left.empty() ? left.size() : right.size();
+  if (left.empty()) {
+    view.fault = ViewFault::kLeftUnreadable;
+  } else if (right.empty()) {
+    view.fault = ViewFault::kRightUnreadable;
+  } else if (left.size() != views.size || right.size() != views.size) {
+    view.fault = ViewFault::kWrongSize;
+  } else {
+    const auto in_left = search ? finder.find(left) : std::nullopt;
+    const auto in_right = search ? finder.find(right) : std::nullopt;
+    BoardPair pair;
+    if (in_left && in_right) pair = finder.common(*in_left, *in_right);
+    if (!in_left || !in_right) {
+      view.fault = in_right  ? ViewFault::kBoardNotInLeft
+                   : in_left ? ViewFault::kBoardNotInRight
+                             : ViewFault::kBoardInNeither;
+    } else if (!pair.enough()) {
+      view.fault = ViewFault::kTooFewCorners;
+    } else {
+      view.smallest_spacing =
+          std::min(smallestSpacing(pair.points, pair.left), smallestSpacing(pair.points, pair.right));
+      view.crowded = view.smallest_spacing < kRoom * options.corner_window;
+      views.seen.push_back(views.views.size());
+      views.pairs.push_back(std::move(pair));
+    }
+  }
+  views.views.push_back(std::move(view));
 }
 
 BoardViews findBoards(const CalibrationInput& input, const CalibrationOptions& options,
-                      base::Progress& progress) {
+                      base::Progress& progress, std::optional<cv::Size>* other) {
   BoardViews found;
+  const BoardFinder finder(options);
   const std::size_t pairs = input.left.size();
+  BoardSizeVotes votes(options);
+  for (std::size_t i = 0; other && i < pairs && votes.wanted() && !progress.cancelled(); ++i)
+    votes.look(cv::imread(input.left[i].string(), cv::IMREAD_GRAYSCALE));
+  if (other) *other = votes.other();
   for (std::size_t i = 0; i < pairs && !progress.cancelled(); ++i) {
     CalibrationView view;
     view.left = input.left[i].filename().string();
@@ -110,31 +121,7 @@ BoardViews findBoards(const CalibrationInput& input, const CalibrationOptions& o
                     "finding the board in " + view.left);
     const cv::Mat left = cv::imread(input.left[i].string(), cv::IMREAD_GRAYSCALE);
     const cv::Mat right = cv::imread(input.right[i].string(), cv::IMREAD_GRAYSCALE);
-    if (found.size.empty()) found.size = !left.empty() ? left.size() : right.size();
-    if (left.empty()) {
-      view.fault = ViewFault::kLeftUnreadable;
-    } else if (right.empty()) {
-      view.fault = ViewFault::kRightUnreadable;
-    } else if (left.size() != found.size || right.size() != found.size) {
-      view.fault = ViewFault::kWrongSize;
-    } else {
-      std::vector<cv::Point2f> left_corners, right_corners;
-      const bool in_left = findCorners(left, options, left_corners);
-      const bool in_right = findCorners(right, options, right_corners);
-      if (in_left && in_right) {
-        view.smallest_spacing = std::min(smallestSpacing(left_corners, options.board_columns),
-                                         smallestSpacing(right_corners, options.board_columns));
-        view.crowded = view.smallest_spacing < kRoom * options.corner_window;
-        found.seen.push_back(i);
-        found.left.push_back(std::move(left_corners));
-        found.right.push_back(std::move(right_corners));
-      } else {
-        view.fault = in_right  ? ViewFault::kBoardNotInLeft
-                     : in_left ? ViewFault::kBoardNotInRight
-                               : ViewFault::kBoardInNeither;
-      }
-    }
-    found.views.push_back(std::move(view));
+    addPair(left, right, finder, options, std::move(view), found, votes.canHold());
   }
   return found;
 }

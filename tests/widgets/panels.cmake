@@ -1,5 +1,5 @@
 capstan_widget_test(
   NAME panels_test
-  SOURCES errors_panel_test.cpp notes_panel_test.cpp status_line_test.cpp
-  LINKS capstan::errors_panel capstan::notes_panel capstan::status_line)
+  SOURCES errors_panel_test.cpp health_panel_test.cpp notes_panel_test.cpp status_line_test.cpp
+  LINKS capstan::errors_panel capstan::health_panel capstan::notes_panel capstan::status_line)
 capstan_widget_test(NAME replay_bar_test SOURCES replay_bar_test.cpp LINKS capstan::replay_panel capstan::tracking)

@@ -1,6 +1,6 @@
 capstan_widget_test(
   NAME shell_test
-  SOURCES shell_again_test.cpp shell_books_test.cpp shell_choice_test.cpp shell_disk_test.cpp live_dialog_test.cpp shell_monitor_test.cpp shell_motors_test.cpp shell_replay_test.cpp shell_sessions_test.cpp shell_window_test.cpp
+  SOURCES shell_again_test.cpp shell_books_test.cpp shell_choice_test.cpp shell_compare_test.cpp shell_disk_test.cpp live_dialog_test.cpp shell_monitor_test.cpp shell_motors_test.cpp shell_replay_test.cpp shell_sessions_test.cpp shell_window_test.cpp
   LINKS capstan::shell nlohmann_json::nlohmann_json)
 add_dependencies(shell_test capstan-cli)
 
@@ -13,3 +13,5 @@ add_dependencies(shell_reach_test capstan-cli)
 add_test(NAME shell_reach_doubled_test COMMAND xvfb-run -a -s "-screen 0 1920x1080x24 -noreset"
                                                $<TARGET_FILE:shell_reach_test> --gtest_filter=Reach.*)
 set_tests_properties(shell_reach_doubled_test PROPERTIES TIMEOUT 120 ENVIRONMENT "QT_SCALE_FACTOR=2")
+
+capstan_display_test(NAME first_session_test SOURCES shell_first_session_test.cpp LINKS capstan::shell)

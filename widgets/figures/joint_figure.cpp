@@ -214,6 +214,7 @@ void JointFigure::refresh(bool at_once) {
   }
   noticeUnknown();
   showReadout(cursor_.value_or(following_ ? history_->end() : std::min(end_, history_->end())));
+  if (!(time == drawn_.time)) Q_EMIT timeRangeShown(time.lower, time.upper);
   drawn_ = viewOf(time);
   replot(at_once ? rpImmediateRefresh : rpQueuedReplot);
 }
@@ -300,6 +301,7 @@ void JointFigure::setCursor(std::optional<double> t) {
   if (t == cursor_) return;
   cursor_ = t;
   refresh();
+  Q_EMIT cursorMoved(t);
 }
 
 /// Says in the titles whether the errors shown are unknown.
@@ -320,6 +322,22 @@ void JointFigure::drawAnew() {
   refresh();
 }
 
+void JointFigure::setSecond(const JointHistory& values, const JointHistory& errors) {
+  second_values_ = &values;
+  second_errors_ = &errors;
+  showSecond();
+}
+
+void JointFigure::clearSecond() {
+  second_values_ = second_errors_ = nullptr;
+  showSecond();
+}
+
+void JointFigure::showSecond() {
+  for (auto& plot : plots_) plot->setSecond(errorsShown() ? second_errors_ : second_values_);
+  drawAnew();
+}
+
 void JointFigure::setErrors(const JointHistory& errors) { errors_ = &errors; }
 
 void JointFigure::showErrors(bool on) {
@@ -331,7 +349,7 @@ void JointFigure::showErrors(bool on) {
   }
   setTitles();
   Q_EMIT errorsShownChanged(on);
-  drawAnew();
+  showSecond();
 }
 
 void JointFigure::showStatistics(bool on) {

@@ -45,6 +45,10 @@ class JointFigure : public QCustomPlot {
 
   /// Gives the errors of the same session (appendErrors()); they must outlive the figure.
   void setErrors(const JointHistory& errors);
+  /// Draws the UKF of a second run of the same session over the first: its positions, and its errors while
+  /// errors are shown. They must outlive the figure, or be taken away by clearSecond() before.
+  void setSecond(const JointHistory& values, const JointHistory& errors);
+  void clearSecond();
   /// Shows errors in place of positions. Needs setErrors().
   void showErrors(bool on);
   bool errorsShown() const { return history_ == errors_; }
@@ -85,6 +89,9 @@ class JointFigure : public QCustomPlot {
  signals:
   void followingChanged(bool following);
   void spanChanged(double seconds);
+  /// Another time range is shown, or the cursor is at another time; none: no cursor.
+  void timeRangeShown(double begin, double end);
+  void cursorMoved(std::optional<double> t);
   void errorsShownChanged(bool on);
   void statisticsShownChanged(bool on);
   /// The context menu is about to open at `position`; receivers add actions.
@@ -120,6 +127,7 @@ class JointFigure : public QCustomPlot {
   void showStatisticsOf(int joint, const QCPRange& time);
   void place(const std::vector<QCPItemStraightLine*>& lines, std::optional<double> t);
   void showReadout(double t);
+  void showSecond();
   void setTitles();
   void drawAnew();
   void noticeUnknown();
@@ -135,6 +143,7 @@ class JointFigure : public QCustomPlot {
 
   const JointHistory& values_;
   const JointHistory* errors_ = nullptr;
+  const JointHistory *second_values_ = nullptr, *second_errors_ = nullptr;
   const JointHistory* history_;  ///< the one of the two that is shown
   Medium medium_;
   const Theme* theme_;

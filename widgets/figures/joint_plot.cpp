@@ -62,6 +62,7 @@ JointPlot::JointPlot(QCustomPlot* plot, const JointHistory& history, int joint)
   casing_ = add();
   graphs_[static_cast<std::size_t>(Quantity::kKinematic)] = add();
   graphs_[static_cast<std::size_t>(Quantity::kTrue)] = add();
+  second_graph_ = add();
   graph(Quantity::kCamera)->setLineStyle(QCPGraph::lsNone);
 }
 
@@ -95,6 +96,7 @@ void JointPlot::setTheme(const Theme& theme, bool vectors, double widths) {
   casing.setColor(theme.surface);
   casing.setWidthF(casing.widthF() + 2.0 * widths * kCasing);
   casing_->setPen(casing);
+  second_graph_->setPen(QPen(theme.accent, 1.8 * widths, Qt::SolidLine, Qt::FlatCap));
   const QColor dots = theme.colour(Quantity::kCamera);
   graph(Quantity::kCamera)->setPen(QPen(dots, 0));
   graph(Quantity::kCamera)
@@ -115,6 +117,11 @@ void JointPlot::setHistory(const JointHistory& history, double least_range) {
   least_range_ = least_range;
   shade_->setHistory(history);
   detail_mark_->setHistory(history);
+}
+
+void JointPlot::setSecond(const JointHistory* history) {
+  second_ = history;
+  if (!history) second_graph_->data()->clear();
 }
 
 void JointPlot::setShown(Quantity quantity, bool on) {
@@ -160,6 +167,7 @@ void JointPlot::fill(double begin, double end, std::size_t most) {
       include(Quantity::kUkf, values->ukf);
     }
   });
+  fillSecond(begin, end, most);
   const double pixel = widths_ * (end - begin) / std::max(axes_->width(), 1);
   const double prominence = widths_ * kProminence * drawn_.size() / std::max(axes_->height(), 1);
   DashCutter(kDashPeriod * pixel, kDash * pixel, prominence).cut(kinematic_.points(), dashed_);
@@ -168,6 +176,21 @@ void JointPlot::fill(double begin, double end, std::size_t most) {
   casing_->setData(graph(Quantity::kKinematic)->data());
   graph(Quantity::kUkf)->data()->set(ukf_.points(), true);
   fillCamera(begin, end);
+}
+
+void JointPlot::fillSecond(double begin, double end, std::size_t most) {
+  if (!second_) return;
+  second_line_.begin();
+  const auto joint = static_cast<std::size_t>(joint_);
+  second_->forEach(begin, end, most, [&](double t, double step, const auto& lows, const auto& highs) {
+    second_line_.add(t, step, lows[joint].ukf, highs[joint].ukf);
+    include(Quantity::kUkf, lows[joint].ukf);
+    include(Quantity::kUkf, highs[joint].ukf);
+  });
+  const double pixel = widths_ * (end - begin) / std::max(axes_->width(), 1);
+  const double prominence = widths_ * kProminence * drawn_.size() / std::max(axes_->height(), 1);
+  DashCutter(kDashPeriod * pixel, kDash * pixel, prominence).cut(second_line_.points(), dashed_);
+  second_graph_->data()->set(dashed_, true);
 }
 
 /// For more dots than can be drawn: the lowest and the highest of each block, at the times of its first and

@@ -33,6 +33,8 @@ class JointPlot {
 
   /// Sets another history, which must outlive the plot, and the least range of the value axis.
   void setHistory(const JointHistory& history, double least_range);
+  /// Draws the UKF of a second history over the first, dashed in the accent colour; null: no second one.
+  void setSecond(const JointHistory* history);
   /// Shows or hides a curve; the band belongs to the UKF. The value axis fits the curves shown.
   void setShown(Quantity quantity, bool on);
   bool shown(Quantity quantity) const { return graph(quantity)->visible(); }
@@ -58,6 +60,7 @@ class JointPlot {
   const OcclusionShade& shade() const { return *shade_; }
   const DetailMark& detailMark() const { return *detail_mark_; }
   FigureHeader* header() const { return header_; }
+  QCPGraph* second() const { return second_graph_; }
   QCPGraph* graph(Quantity quantity) const { return graphs_[static_cast<std::size_t>(quantity)]; }
   const SigmaBand& band() const { return *band_; }
 
@@ -67,6 +70,7 @@ class JointPlot {
   void include(Quantity quantity, float value);
   void chooseTicks();
   void fillCamera(double begin, double end);
+  void fillSecond(double begin, double end, std::size_t most);
 
   const JointHistory* history_;
   int joint_;
@@ -77,6 +81,9 @@ class JointPlot {
   std::array<QCPGraph*, 4> graphs_{};
   QCPGraph* casing_;  ///< background-coloured edge of each dash: separates dash from line in grey print
   SigmaBand* band_;
+  const JointHistory* second_ = nullptr;
+  QCPGraph* second_graph_;
+  CurveBuilder second_line_;
   CurveBuilder truth_, kinematic_, ukf_;
   QVector<QCPGraphData> dashed_, camera_;
   QCPRange drawn_;  ///< range of the values drawn last

@@ -103,6 +103,7 @@ analysis::SessionRecord ExportController::record() const {
   analysis::SessionRecord record;
   record.run = errors_.soFar();
   record.report = runner.report();
+  record.health = runner.health();
   for (std::size_t i = 0; i < 3; ++i) record.joint_names[i] = joint_names_[i].toStdString();
   record.events = events_;
   record.settings = analysis::settingsOf(runner.inUse(recording::headerOf(runner.info(), {})));

@@ -18,7 +18,9 @@ const std::vector<std::pair<QString, HelpTopic>>& helpTopics() {
       {"SceneView", {kManual, "Scene"}},
       {"OcclusionPanel", {kManual, "Occlusion"}},
       {"IdentificationPanel", {kManual, "Identification"}},
+      {"CalibrationPanel", {kManual, "Camera calibration"}},
       {"ErrorsPanel", {kManual, "Errors"}},
+      {"HealthPanel", {kManual, "Estimator health"}},
       {"NotesPanel", {kManual, "Notes"}},
       {"MarkerPanel", {kManual, "The marker"}},
       {"RegistrationPanel", {kManual, "Registration at the hard stop"}},
@@ -28,6 +30,7 @@ const std::vector<std::pair<QString, HelpTopic>>& helpTopics() {
       {"StatusLine", {kManual, "The status line"}},
       {"SessionBar", {kManual, "Keys"}},
       {"SimulationDialog", {kManual, "Sources"}},
+      {"RerunDialog", {kManual, "Re-run and comparison"}},
       {"LiveDialog", {"connect-your-robot.md", {}}},
       {"UnitsDialog", {"measured-table.md", {}}},
   };

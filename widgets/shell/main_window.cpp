@@ -1,12 +1,12 @@
 #include "widgets/shell/main_window.h"
 
 #include <QAction>
-#include <QActionGroup>
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QFileInfo>
 #include <QMenuBar>
+#include <QSplitter>
 #include <QStackedWidget>
 #include <QStandardPaths>
 #include <QStatusBar>
@@ -19,35 +19,22 @@
 #include "widgets/panels/errors/errors_panel.h"
 #include "widgets/panels/identification/identification_panel.h"
 #include "widgets/panels/learning/learning_panel.h"
-#include "widgets/panels/marker/marker_panel.h"
 #include "widgets/panels/notes/notes_panel.h"
 #include "widgets/panels/occlusion/occlusion_panel.h"
-#include "widgets/panels/registration/registration_panel.h"
 #include "widgets/panels/replay/replay_bar.h"
 #include "widgets/panels/status/status_line.h"
 #include "widgets/scene/scene_view.h"
-#include "widgets/shell/analysis_controller.h"
 #include "widgets/shell/analysis_pages.h"
-#include "widgets/shell/diagnosis_controller.h"
 #include "widgets/shell/dock_layout.h"
 #include "widgets/shell/dock_scroll.h"
-#include "widgets/shell/export_controller.h"
 #include "widgets/shell/help_topics.h"
 #include "widgets/shell/help_window.h"
-#include "widgets/shell/identification_controller.h"
 #include "widgets/shell/keyboard_reach.h"
 #include "widgets/shell/layout_controller.h"
-#include "widgets/shell/learning_controller.h"
-#include "widgets/shell/marker_controller.h"
 #include "widgets/shell/message_bar.h"
-#include "widgets/shell/monitor_controller.h"
-#include "widgets/shell/motor_controller.h"
 #include "widgets/shell/occlusion_controller.h"
-#include "widgets/shell/plots_controller.h"
 #include "widgets/shell/recent_menu.h"
 #include "widgets/shell/recording_offer.h"
-#include "widgets/shell/registration_controller.h"
-#include "widgets/shell/replay_controller.h"
 #include "widgets/shell/robot_controller.h"
 #include "widgets/shell/session_bar.h"
 #include "widgets/shell/settings_undo.h"
@@ -87,13 +74,17 @@ MainWindow::MainWindow(const QString& settings, QWidget* parent)
   messages_ = themed(new MessageBar);
   figure_ = new JointFigure(history_);
   centre_ = new QStackedWidget;
-  centre_->addWidget(column({figure_, replay_ = themed(new ReplayBar(history_))}, figure_));
+  plots_ = new QSplitter;
+  plots_->addWidget(figure_);
+  plots_->setChildrenCollapsible(false);
+  centre_->addWidget(column({plots_, replay_ = themed(new ReplayBar(history_))}, plots_));
   centre_->addWidget(new DockScroll(analysis_ = themed(new AnalysisPages)));
   centre_->addWidget(new DockScroll(diagnosis_ = themed(new DiagnosisPanel(runDiagnosis))));
   centre_->addWidget(new DockScroll(learning_ = themed(new LearningPanel)));
   news_ = themed(new MessageBar);
   export_news_ = themed(new MessageBar);
-  setCentralWidget(column({messages_, news_, export_news_, centre_}, centre_));
+  compare_news_ = themed(new MessageBar);
+  setCentralWidget(column({messages_, news_, export_news_, compare_news_, centre_}, centre_));
   status_ = themed(new StatusLine);
   statusBar()->addWidget(status_, 1);
   bar_ = new SessionBar(this);
@@ -122,45 +113,6 @@ QMenuBar* MainWindow::addBars() {
   auto* menus = new QMenuBar;
   setMenuWidget(column({menus, bar_}, bar_));
   return menus;
-}
-
-void MainWindow::addDocks() {
-  const auto dock = [&](const QString& name, const QString& title, QWidget* content,
-                        Qt::DockWidgetArea area) {
-    auto* frame = new QDockWidget(title, this);
-    frame->setObjectName(name);
-    content->setAttribute(Qt::WA_StyledBackground);
-    frame->setWidget(new DockScroll(content));
-    addDockWidget(area, frame);
-    return frame;
-  };
-  dock("cameras", tr("Cameras"), video_ = themed(new StereoView), Qt::LeftDockWidgetArea);
-  dock("scene", tr("Scene"), scene_ = themed(new SceneView), Qt::LeftDockWidgetArea);
-  dock("occlusion", tr("Occlusion"), occlusion_ = themed(new OcclusionPanel), Qt::RightDockWidgetArea);
-  auto* identification = dock("identification", tr("Identification"),
-                              identification_ = themed(new IdentificationPanel), Qt::RightDockWidgetArea);
-  dock("errors", tr("Errors (RMS)"), errors_ = themed(new ErrorsPanel), Qt::RightDockWidgetArea);
-  dock("notes", tr("Notes"), notes_ = themed(new NotesPanel), Qt::RightDockWidgetArea);
-  auto* marker = themed(new MarkerPanel);
-  auto* marker_dock = dock("marker", tr("Marker"), marker, Qt::RightDockWidgetArea);
-  floatOverCentre(*this, *marker_dock);
-  new MarkerController(*marker, *marker_dock, link_, *bar_, this);
-  registration_dock_ = dock("registration", tr("Registration"), registration_ = themed(new RegistrationPanel),
-                            Qt::RightDockWidgetArea);
-  floatOverCentre(*this, *registration_dock_);
-  new RegistrationController(*registration_, *registration_dock_, link_, *bar_, *scene_, *notes_, this);
-  new IdentificationController(*identification_, *identification, link_, *bar_, *notes_, this);
-  auto* errors = new AnalysisController(analysis_->errors(), *centre_, link_, *bar_, *errors_, *notes_, this);
-  export_ = new ExportController({*figure_, *notes_, *messages_, *export_news_}, *errors, link_, *bar_, this);
-  new DiagnosisController(*diagnosis_, *centre_, link_, *bar_, *identification_, *notes_, this);
-  new LearningController(*learning_, *centre_, link_, *bar_, *notes_, this);
-  auto* in_the_centre = new QActionGroup(this);  // one at a time, or the plots
-  in_the_centre->setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional);
-  for (const char* name : {"analyse", "diagnose", "learn"}) in_the_centre->addAction(action(name));
-  new MotorController(*figure_, link_, *bar_, *messages_, *notes_, this);
-  new PlotsController(*figure_, link_, *notes_, *bar_, this);
-  new ReplayController(*replay_, {*figure_, *video_, *scene_, *notes_, *messages_}, link_, this);
-  monitor_ = new MonitorController(link_, *bar_, *messages_, *notes_, this);
 }
 
 void MainWindow::showEvent(QShowEvent* event) {
@@ -371,7 +323,8 @@ void MainWindow::restore() {
   learning_->restore(*settings_);
   restoreGeometry(settings_->value("geometry").toByteArray());
   laid_out_ = layouts_->restoreLast();
-  for (const char* name : {"marker", "registration"}) findChild<QDockWidget*>(name)->hide();
+  for (const char* name : {"health", "calibration", "marker", "registration"})
+    findChild<QDockWidget*>(name)->hide();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

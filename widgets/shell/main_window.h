@@ -9,12 +9,14 @@
 
 class QDockWidget;
 class QMenuBar;
+class QSplitter;
 class QStackedWidget;
 
 namespace capstan::widgets {
 
 class AnalysisPages;
 class AnalysisPanel;
+class CompareController;
 class IdentificationPanel;
 class DiagnosisPanel;
 class ExportController;
@@ -59,6 +61,7 @@ class MainWindow : public QMainWindow {
   DiagnosisPanel& diagnosis() { return *diagnosis_; }
   LearningPanel& learning() { return *learning_; }
   ExportController& exports() { return *export_; }
+  CompareController& comparison() { return *compare_; }
   LayoutController& layouts() { return *layouts_; }
   MessageBar& news() { return *news_; }
   /// Text of the message bar; empty: no message, or closed.
@@ -103,7 +106,9 @@ class MainWindow : public QMainWindow {
   QString title_ = "no source";
   std::optional<double> recording_since_;
   JointFigure* figure_;
-  MessageBar *messages_, *news_, *export_news_;
+  MessageBar *messages_, *news_, *export_news_, *compare_news_;
+  QSplitter* plots_;
+  CompareController* compare_;
   SettingsUndo* undo_;
   SessionBar* bar_;
   StereoView* video_;

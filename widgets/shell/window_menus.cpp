@@ -17,6 +17,7 @@ namespace {
 
 // Docks by the number of their key; the registration has a key of its own.
 constexpr std::array kDocks = {"cameras", "scene", "occlusion", "identification", "errors", "notes"};
+constexpr std::array kFloating = {"health", "calibration"};  // by the keys after those
 
 void addActions(QMenu& menu, const MainWindow& window, std::initializer_list<const char*> names) {
   for (const char* name : names)
@@ -73,10 +74,13 @@ void addMenus(MainWindow& window, QMenuBar& menus) {
   addActions(*session->addMenu(QObject::tr("Speed")), window, {"slower", "faster"});
   session->addMenu(&window.bar().sources());
   addActions(*session, window,
-             {"", "record", "recordingFolder", "showFolder", "", "note", "export", "exportEverything"});
+             {"", "record", "recordingFolder", "showFolder", "", "note", "export", "exportEverything", "",
+              "rerunWith", "compareWith", "endComparison"});
   addActions(*menus.addMenu(QObject::tr("&Edit")), window, {"undo", "redo"});
   auto* view = menus.addMenu(QObject::tr("&View"));
   for (std::size_t i = 0; i < kDocks.size(); ++i) addDock(*view, window, kDocks[i], static_cast<int>(i) + 1);
+  for (std::size_t i = 0; i < kFloating.size(); ++i)
+    addDock(*view, window, kFloating[i], static_cast<int>(kDocks.size() + i) + 1);
   addActions(*view, window, {"marker", "register"});
   view->addSeparator();
   addAllDocks(*view, window);
@@ -85,7 +89,8 @@ void addMenus(MainWindow& window, QMenuBar& menus) {
   addActions(*view, window, {"analyse", "diagnose", "learn", "", "theme"});
   auto* tools = menus.addMenu(QObject::tr("T&ools"));
   addActions(*tools, window,
-             {"marker", "register", "identify", "analyse", "diagnose", "learn", "motors", "monitor"});
+             {"marker", "view_calibration", "register", "identify", "analyse", "diagnose", "learn", "motors",
+              "monitor"});
   auto* help = menus.addMenu(QObject::tr("&Help"));
   addActions(*help, window, {"help"});
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <stdexcept>
 #include <vector>
 
 #include "tests/support/planted/effect.h"
@@ -23,6 +24,12 @@ struct PlantInput {
   const Joints* motor_rate_end = nullptr;
 };
 
+/// Thrown for a robot that is too stiff for the plant's time step.
+class TooStiff : public std::invalid_argument {
+ public:
+  using std::invalid_argument::invalid_argument;
+};
+
 /// Simulation of motors, cables and links with planted effects. Cable drive (UKF paper 2–8):
 ///     gamma = k (e^{a δ} − e^{−a δ}) + 2 b dδ,   δ = r_mc q_m/N − r_l A (q − q_hs)
 ///     I_m ddq_m = tau − tau_c tanh(dq_m/v) − tau_v dq_m − (ds_m/dq_m) gamma
@@ -42,7 +49,7 @@ class Plant {
   /// Motor positions that hold a rigid cable at `q` [rad].
   Joints motorsAt(const Joints& q) const;
   /// Number of equal integration steps that `duration` [s] needs, at least two per millisecond. Throws
-  /// std::invalid_argument if it needs more than a thousand per millisecond.
+  /// TooStiff if it needs more than a thousand per millisecond.
   int stepsFor(double duration, const Joints& q);
   /// Advances the state from t to t + duration in `steps` steps.
   void advance(PlantState& state, double t, double duration, int steps, const PlantInput& input);

@@ -109,8 +109,8 @@ int Plant::stepsFor(double duration, const Joints& q) {
   const double limit = 1.4;  // half of what RK4 bears on the negative real axis, 2.78
   const double steps = std::max(std::ceil(duration / 0.5e-3), std::ceil(duration * fastest / limit));
   if (steps > 1e6 * duration)
-    throw std::invalid_argument("this robot is too stiff for the planted plant: its fastest rate is " +
-                                std::to_string(fastest) + " 1/s");
+    throw TooStiff("this robot is too stiff for the planted plant: its fastest rate is " +
+                   std::to_string(fastest) + " 1/s");
   return p_.refinement * static_cast<int>(steps);
 }
 

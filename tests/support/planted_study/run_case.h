@@ -17,6 +17,7 @@ struct RunOptions {
 
 /// Draws the case, records it and runs the diagnosis, which gets only the recorded table and the nominal
 /// robot. An exception of the diagnosis becomes the verdict "error".
+/// If the plant cannot integrate the case's robot, another one is drawn, by another seed.
 CaseOutcome runCase(const StudyCase& one, const Diagnoser& diagnoser, const RunOptions& options = {});
 /// The same for a case that is already drawn; `one` gives its name.
 CaseOutcome runCase(const StudyCase& one, const test::PlantedCase& drawn, const Diagnoser& diagnoser,

@@ -61,7 +61,12 @@ ErrorsPanel::ErrorsPanel(QWidget* parent) : QWidget(parent) {
   connect(reset_, &QPushButton::clicked, this, &ErrorsPanel::resetRequested);
   grid->addWidget(note_, 4, 0, 1, 3);
   grid->addWidget(reset_, 4, 3, 1, 2, Qt::AlignRight);
-  grid->setRowStretch(5, 1);
+  health_ = new QPushButton;
+  health_->setToolTip(tr("Checks of the estimator, with advice (Ctrl+7)"));
+  connect(health_, &QPushButton::clicked, this, &ErrorsPanel::healthRequested);
+  grid->addWidget(health_, 5, 0, 1, 5);
+  showVerdict({});
+  grid->setRowStretch(6, 1);
   for (int column = 1; column <= 3; ++column) grid->setColumnStretch(column, 1);
   auto* copy = new QAction(tr("Copy as text"), this);
   connect(copy, &QAction::triggered, this, [this] { QApplication::clipboard()->setText(text()); });
@@ -70,6 +75,10 @@ ErrorsPanel::ErrorsPanel(QWidget* parent) : QWidget(parent) {
   setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
   setTheme(Theme::dark());
   showErrors({});
+}
+
+void ErrorsPanel::showVerdict(const QString& verdict) {
+  health_->setText(tr("Estimator health: %1").arg(verdict.isEmpty() ? tr("– unknown") : verdict));
 }
 
 QString ErrorsPanel::text() const {

@@ -22,6 +22,8 @@ class ErrorsPanel : public QWidget {
   /// Sets whether the source has joint encoders; without them a note replaces the number of samples. Clears
   /// the errors.
   void setReference(bool fitted);
+  /// Shows the verdict on the estimator, as "✓ pass"; empty: none yet.
+  void showVerdict(const QString& verdict);
   /// Text of a cell: `joint` 0…2, `column` 0 kinematic, 1 camera, 2 UKF.
   QString cell(int joint, int column) const;
   /// The table as text for the clipboard: one line per joint, separated by tabs.
@@ -29,13 +31,14 @@ class ErrorsPanel : public QWidget {
 
  signals:
   void resetRequested();
+  void healthRequested();
 
  private:
   std::array<std::array<QLabel*, 3>, 3> cells_{};
   std::array<QLabel*, 3> heads_{};
   std::array<QLabel*, 6> quiet_{};  ///< labels in the muted colour: joint names and units
   QLabel* note_;
-  QPushButton* reset_;
+  QPushButton *reset_, *health_;
   bool reference_ = true;
 };
 

@@ -109,9 +109,6 @@ QWidget* PosesPage::makeDecision() {
   check_ = new QPushButton(tr("Check at three more poses"));
   closures_ = new QLabel;
   closures_->setWordWrap(true);
-  auto* first = new QHBoxLayout;
-  first->addWidget(check_);
-  first->addWidget(closures_, 1);
   reason_ = new QComboBox;
   reason_->setEditable(true);
   reason_->addItems(
@@ -122,14 +119,15 @@ QWidget* PosesPage::makeDecision() {
   reject_ = new QPushButton(tr("Reject"));
   accept_ = new QPushButton(tr("Accept"));
   accept_->setProperty("primary", true);
-  auto* second = new QHBoxLayout;
-  second->addStretch(1);
-  second->addWidget(reason_, 2);
-  second->addWidget(reject_);
-  second->addSpacing(12);
-  second->addWidget(accept_);
-  column->addLayout(first);
-  column->addLayout(second);
+  auto* row = new QHBoxLayout;
+  row->addWidget(check_);
+  row->addStretch(1);
+  row->addWidget(reason_, 2);
+  row->addWidget(reject_);
+  row->addSpacing(12);
+  row->addWidget(accept_);
+  column->addWidget(closures_);
+  column->addLayout(row);
   connect(check_, &QPushButton::clicked, this, [this] {
     collector_->check();
     refresh();

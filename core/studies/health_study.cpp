@@ -1,0 +1,211 @@
+#include "core/studies/health_study.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "core/base/units.h"
+#include "core/base/workers.h"
+#include "core/simulation/simulation_request.h"
+#include "core/studies/true_radii.h"
+#include "core/tracking/arrival.h"
+#include "core/tracking/make_pipeline.h"
+#include "core/tracking/track_all.h"
+
+namespace capstan::studies {
+namespace {
+
+using tracking::HealthVerdict;
+using tracking::Sample;
+using tracking::StereoFrame;
+
+constexpr double kInf = std::numeric_limits<double>::infinity();
+
+/// What is wrong in a session.
+struct Fault {
+  std::string name;
+  std::vector<std::string> expected;
+  bool true_radii = true;
+  double cameras_rotated = 0.0;  ///< about the vertical axis of frame 0, through its origin [rad]
+  std::function<void(Sample&, double duration)> samples = nullptr;
+};
+
+std::function<void(Sample&, double)> onFrames(std::function<void(StereoFrame&)> change) {
+  return [change = std::move(change)](Sample& sample, double) {
+    if (auto* frame = std::get_if<StereoFrame>(&sample)) change(*frame);
+  };
+}
+
+void shiftStamp(StereoFrame& frame, double by) {
+  frame.t += by;
+  frame.t_arrival = std::max(frame.t_arrival, frame.t);
+}
+
+/// Blackens both images for 3 of every 5 s.
+void hideMarker(StereoFrame& frame) {
+  if (std::fmod(frame.t, 5.0) >= 3.0) return;
+  frame.left = cv::Mat::zeros(frame.left.size(), frame.left.type());
+  frame.right = cv::Mat::zeros(frame.right.size(), frame.right.type());
+}
+
+std::vector<Fault> faults() {
+  std::vector<Fault> all;
+  all.push_back({"none", {}});
+  all.push_back({"nominal pulley radii", {"transmission"}, false});
+  all.push_back({"cameras rotated by 3°", {"transmission", "refused"}, true, base::toRadians(3.0)});
+  all.push_back({"stamps 50 ms late", {"transmission"}, true, 0.0, onFrames([](StereoFrame& frame) {
+                   shiftStamp(frame, 0.05);
+                 })});
+  all.push_back({"images 300 ms old", {"latency"}, true, 0.0, onFrames([](StereoFrame& frame) {
+                   shiftStamp(frame, -0.3);
+                 })});
+  all.push_back(
+      {"marker hidden 60 %", {"detection_left", "detection_right"}, true, 0.0, onFrames(hideMarker)});
+  all.push_back({"encoder 2 frozen",
+                 {"encoders"},
+                 true,
+                 0.0,
+                 [held = std::numeric_limits<double>::quiet_NaN()](Sample& sample, double duration) mutable {
+                   auto* motor = std::get_if<tracking::MotorSample>(&sample);
+                   if (!motor || motor->t < 0.5 * duration) return;
+                   if (std::isnan(held)) held = motor->position(1);
+                   motor->position(1) = held;
+                   motor->velocity(1) = 0.0;
+                 }});
+  return all;
+}
+
+struct Candidate {
+  Fault fault;
+  tracking::TrackingPipeline pipeline;
+  robot::Description robot;
+  double memory;
+  tracking::TrackReport report;
+
+  void take(Sample sample, double duration) {
+    if (fault.samples) fault.samples(sample, duration);
+    report.add(pipeline.step(sample));
+  }
+};
+
+Candidate candidateOf(const tracking::SourceInfo& info, const simulation::Truth& truth, Fault fault) {
+  tracking::SourceInfo believed = info;
+  if (fault.true_radii) believed.robot = withTrueRadii(info.robot, truth);
+  if (believed.base_from_camera)
+    believed.base_from_camera =
+        Eigen::AngleAxisd(fault.cameras_rotated, Eigen::Vector3d::UnitZ()) * *believed.base_from_camera;
+  const tracking::TrackingOptions options = tracking::trackingOptionsOf(believed);
+  return {std::move(fault), tracking::makePipeline(believed, options), believed.robot, options.memory, {}};
+}
+
+/// What one session of one fault adds to its case.
+struct Outcome {
+  std::vector<tracking::HealthCheck> checks;
+  Eigen::Vector3d nis, rms;
+};
+
+std::vector<Outcome> session(const HealthStudyOptions& options, std::uint64_t seed,
+                             base::Progress& progress) {
+  simulation::SimulationRequest request;
+  request.truth = options.truth;
+  request.duration = options.duration;
+  request.seed = seed;
+  const simulation::SimulatedOptions simulated = simulation::optionsOf(request);
+  simulation::SimulatedSource source(simulated);
+  std::vector<Candidate> candidates;
+  for (Fault& fault : faults())
+    candidates.push_back(candidateOf(source.info(), simulated.truth, std::move(fault)));
+  Sample sample;
+  for (std::uint64_t count = 0; !progress.cancelled() && source.next(sample); ++count) {
+    for (Candidate& candidate : candidates) candidate.take(sample, options.duration);
+    if (count % 256 == 0)
+      progress.report(std::min(1.0, tracking::arrivalOf(sample) / options.duration), "tracking");
+  }
+  std::vector<Outcome> outcomes;
+  for (const Candidate& candidate : candidates)
+    outcomes.push_back({tracking::healthOf(candidate.report, candidate.robot, candidate.memory),
+                        candidate.report.innovations.nis(), candidate.report.errors.ukf().value()});
+  return outcomes;
+}
+
+void add(const Outcome& outcome, HealthStudyCase& to) {
+  ++to.verdicts[static_cast<std::size_t>(tracking::worstOf(outcome.checks))];
+  bool named = false, other = false;
+  for (const tracking::HealthCheck& check : outcome.checks) {
+    if (check.verdict <= HealthVerdict::kPass) continue;
+    const bool expected = std::find(to.expected.begin(), to.expected.end(), check.key) != to.expected.end();
+    (expected ? named : other) = true;
+    if (!expected && std::find(to.others.begin(), to.others.end(), check.key) == to.others.end())
+      to.others.push_back(check.key);
+  }
+  to.named += named;
+  to.other += other;
+  to.nis_low = to.nis_low.cwiseMin(outcome.nis);
+  to.nis_high = to.nis_high.cwiseMax(outcome.nis);
+  to.rms += outcome.rms.cwiseAbs2();
+}
+
+}  // namespace
+
+HealthStudy runHealthStudy(const HealthStudyOptions& options, base::Progress& progress) {
+  std::vector<std::vector<Outcome>> done(static_cast<std::size_t>(options.sessions));
+  std::vector<base::Job> jobs;
+  for (std::size_t i = 0; i < done.size(); ++i)
+    jobs.push_back({fmt::format("session {}", i + 1), 1.0,
+                    [&into = done[i], &options, seed = options.seed + i](base::Progress& part) {
+                      into = session(options, seed, part);
+                    }});
+  base::doAll(jobs, options.threads, {progress});
+  HealthStudy study;
+  study.cancelled = progress.cancelled();
+  if (study.cancelled) return study;
+  const std::vector<Fault> all = faults();
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    HealthStudyCase one;
+    one.fault = all[i].name;
+    one.expected = all[i].expected;
+    one.nis_low.setConstant(kInf);
+    one.nis_high.setConstant(-kInf);
+    for (const std::vector<Outcome>& outcomes : done) add(outcomes[i], one);
+    one.rms = (one.rms / options.sessions).cwiseSqrt();
+    study.cases.push_back(one);
+  }
+  return study;
+}
+
+base::Table casesOf(const HealthStudy& study) {
+  base::Table table;
+  table.title = "Verdicts on sessions with one known fault";
+  table.columns = {{"fault", {}},      {"pass", {}, 0},  {"cautious", {}, 0},  {"FAIL", {}, 0},
+                   {"named", {}, 0},   {"other", {}, 0}, {"other checks", {}}, {"NIS q1", {}},
+                   {"NIS q2", {}},     {"NIS q3", {}},   {"UKF q1", "deg", 3}, {"UKF q2", "deg", 3},
+                   {"UKF q3", "mm", 3}};
+  for (const HealthStudyCase& one : study.cases) {
+    const auto verdicts = [&](HealthVerdict verdict) {
+      return static_cast<double>(one.verdicts[static_cast<std::size_t>(verdict)]);
+    };
+    std::vector<base::TableCell> row{one.fault,
+                                     verdicts(HealthVerdict::kPass),
+                                     verdicts(HealthVerdict::kCautious),
+                                     verdicts(HealthVerdict::kFail),
+                                     static_cast<double>(one.named),
+                                     static_cast<double>(one.other),
+                                     fmt::format("{}", fmt::join(one.others, ", "))};
+    for (int joint = 0; joint < 3; ++joint)
+      row.emplace_back(fmt::format("{:.2f} to {:.2f}", one.nis_low(joint), one.nis_high(joint)));
+    for (int joint = 0; joint < 3; ++joint)
+      row.emplace_back(base::degreesOrMillimetres(one.rms(joint), joint != 2));
+    table.rows.push_back(std::move(row));
+  }
+  table.note =
+      "Named: sessions in which a check that belongs to the fault does not pass; other: in which another "
+      "check "
+      "does not pass. NIS: smallest and largest mean of a session.";
+  return table;
+}
+
+}  // namespace capstan::studies

@@ -1,0 +1,200 @@
+#include "core/tracking/health.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/tracking/transmission_text.h"
+
+namespace capstan::tracking {
+namespace {
+
+using Checks = std::vector<HealthCheck>;
+
+/// Verdict on a number that is good while it is small; kUnknown for NaN.
+HealthVerdict judge(double value, double pass, double fail) {
+  if (std::isnan(value)) return HealthVerdict::kUnknown;
+  if (value <= pass) return HealthVerdict::kPass;
+  return value <= fail ? HealthVerdict::kCautious : HealthVerdict::kFail;
+}
+
+/// Adds a check; the advice stays away where it passes.
+void add(Checks& checks, HealthCheck check) {
+  if (check.verdict == HealthVerdict::kPass || check.verdict == HealthVerdict::kUnknown) check.advice.clear();
+  checks.push_back(std::move(check));
+}
+
+double share(std::uint64_t part, std::uint64_t whole) {
+  return static_cast<double>(part) / static_cast<double>(whole);
+}
+
+void addNis(const TrackReport& report, const robot::Description& robot, const HealthLimits& limits,
+            Checks& checks) {
+  const Eigen::Vector3d nis = report.innovations.nis();
+  const bool judged = report.innovations.count() >= limits.updates;
+  for (int joint = 0; joint < 3; ++joint) {
+    const double mean = nis(joint);
+    const std::string name = robot.joints[static_cast<std::size_t>(joint)].name;
+    HealthCheck check{fmt::format("nis_q{}", joint + 1), fmt::format("NIS of {}", name)};
+    if (judged) check.verdict = judge(mean, limits.nis, limits.nis_fail);
+    if (check.verdict == HealthVerdict::kPass && mean < limits.nis_low)
+      check.verdict = HealthVerdict::kCautious;
+    if (report.innovations.count() > 0) check.value = fmt::format("{:.2f}", mean);
+    check.expected = fmt::format("{:.2g} to {:.2g}; 1 where σ is right", limits.nis_low, limits.nis);
+    check.advice =
+        mean > 1.0 ? fmt::format(
+                         "Camera and filter disagree by {:.1f} times the predicted σ. Register the cameras "
+                         "again; if NIS stays high, identify the robot, or raise position_noise.",
+                         std::sqrt(mean))
+                   : fmt::format(
+                         "Camera and filter disagree by only {:.2f} of the predicted σ: the filter trusts "
+                         "the camera too little. Lower registration_rotation_sigma, camera_sigma_floor or "
+                         "tip_sigma.",
+                         std::sqrt(mean));
+    add(checks, std::move(check));
+  }
+}
+
+void addNees(const TrackReport& report, const HealthLimits& limits, Checks& checks) {
+  if (report.nees_count == 0) return;
+  const double nees = report.neesMean();
+  add(checks, {"nees", "NEES / 3", judge(nees, limits.nees, limits.nees_fail), fmt::format("{:.2f}", nees),
+               fmt::format("at most {:.2g}", limits.nees),
+               fmt::format("The estimate is off by {:.1f} times the σ that the filter states. Identify the "
+                           "robot, or register the cameras again.",
+                           std::sqrt(nees))});
+}
+
+void addTransmission(const TrackReport& report, Checks& checks) {
+  const std::vector<std::string> lines = linesOf(report.transmission);
+  HealthCheck check{"transmission", "transmission and cameras"};
+  check.verdict = report.transmission.change_in_question ? HealthVerdict::kFail
+                  : lines.empty()                        ? HealthVerdict::kPass
+                                                         : HealthVerdict::kCautious;
+  check.value = lines.empty() ? "no error found" : fmt::format("{}", fmt::join(lines, "; "));
+  check.expected = "no error found";
+  check.advice = fmt::format("{}", fmt::join(remediesOf(report.transmission), " "));
+  add(checks, std::move(check));
+}
+
+void addDetection(const TrackReport& report, const HealthLimits& limits, Checks& checks) {
+  if (report.frames == 0) return;
+  for (const int side : {0, 1}) {
+    const std::string name = side == 0 ? "left" : "right";
+    const double rate = report.detectionRate(side);
+    add(checks, {"detection_" + name, fmt::format("marker in the {} image", name),
+                 judge(1.0 - rate, limits.undetected, limits.undetected_fail),
+                 fmt::format("{:.1f} % of images", 100.0 * rate),
+                 fmt::format("at least {:.0f} %", 100.0 * (1.0 - limits.undetected)),
+                 fmt::format("The {} camera does not see the marker for {:.0f} % of the time. Remove what "
+                             "hides it, or set the marker's colour and the exposure again.",
+                             name, 100.0 * (1.0 - rate))});
+  }
+}
+
+void addRefused(const TrackReport& report, const HealthLimits& limits, Checks& checks) {
+  if (report.camera_samples == 0) return;
+  const std::uint64_t refused = report.gates[static_cast<std::size_t>(Gate::kJump)] +
+                                report.gates[static_cast<std::size_t>(Gate::kUnreachable)];
+  const double part = share(refused, report.camera_samples);
+  add(checks, {"refused", "refused camera samples", judge(part, limits.refused, limits.refused_fail),
+               fmt::format("{:.2f} % ({})", 100.0 * part, refused),
+               fmt::format("at most {:.0f} %", 100.0 * limits.refused),
+               "The gate refuses tips that jump or that the arm cannot reach. Look for other objects of the "
+               "marker's colour, and at jump_tolerance."});
+}
+
+void addLatency(const TrackReport& report, double memory, const HealthLimits& limits, Checks& checks) {
+  if (report.latencies.count() == 0) return;
+  const double late = report.latencies.quantile(0.99), median = report.latencies.quantile(0.5);
+  HealthCheck check{"latency", "camera latency"};
+  check.verdict = judge(late / memory, limits.latency, limits.latency_fail);
+  if (report.late_dropped > 0) check.verdict = std::max(check.verdict, HealthVerdict::kCautious);
+  check.value = fmt::format("median {:.0f} ms, 99 % within {:.0f} ms", 1e3 * median, 1e3 * late);
+  if (report.late_dropped > 0) check.value += fmt::format(", {} too late", report.late_dropped);
+  check.expected = fmt::format("within {:.0f} ms", 1e3 * limits.latency * memory);
+  check.advice = fmt::format(
+      "The filter remembers {:.0f} ms; later camera samples are lost. Raise memory, "
+      "or lower the cameras' resolution.",
+      1e3 * memory);
+  add(checks, std::move(check));
+}
+
+void addRescues(const TrackReport& report, const HealthLimits& limits, Checks& checks) {
+  const double part = share(report.rescues, report.motor_samples);
+  add(checks, {"rescues", "repaired covariances", judge(part, limits.rescues, limits.rescues_fail),
+               fmt::format("{}", report.rescues), "none",
+               "The covariance lost definiteness and was repaired. Check the robot file's constants and the "
+               "noise options for extreme values."});
+}
+
+void addEncoders(const TrackReport& report, Checks& checks) {
+  std::vector<std::string> failed;
+  for (std::size_t i = 0; i < 3; ++i)
+    if (report.motor_failed[i] != MotorFault::kNone)
+      failed.push_back(fmt::format("motor {}: {} since {:.1f} s", i + 1, base::nameOf(report.motor_failed[i]),
+                                   report.motor_failed_since[i]));
+  add(checks, {"encoders", "motor encoders", failed.empty() ? HealthVerdict::kPass : HealthVerdict::kFail,
+               failed.empty() ? "all in use" : fmt::format("{}", fmt::join(failed, "; ")), "all in use",
+               "The joint is estimated from the camera alone. Check the encoder and its cable."});
+}
+
+void addLost(const TrackReport& report, const HealthLimits& limits, Checks& checks) {
+  const std::uint64_t lost = report.lost + report.motor_refused;
+  const double part = share(lost, report.motor_samples + report.camera_samples);
+  HealthCheck check{"lost",
+                    "lost samples",
+                    judge(part, limits.lost, limits.lost_fail),
+                    fmt::format("{}", lost),
+                    "none",
+                    "Samples were missing, dropped, or not later than the one before. Check the connection, "
+                    "the device's clock and the load of this computer."};
+  if (report.motor_refused > 0) check.value += fmt::format(" ({} refused)", report.motor_refused);
+  add(checks, std::move(check));
+}
+
+}  // namespace
+
+std::uint64_t lostOf(const std::vector<SideStatus>& sides) {
+  std::uint64_t lost = 0;
+  for (const SideStatus& side : sides) lost += side.missing + side.dropped;
+  return lost;
+}
+
+std::vector<HealthCheck> healthOf(const TrackReport& report, const robot::Description& robot, double memory,
+                                  const HealthLimits& limits) {
+  Checks checks;
+  if (report.motor_samples == 0) return checks;
+  addNis(report, robot, limits, checks);
+  addNees(report, limits, checks);
+  addTransmission(report, checks);
+  addDetection(report, limits, checks);
+  addRefused(report, limits, checks);
+  addLatency(report, memory, limits, checks);
+  addRescues(report, limits, checks);
+  addEncoders(report, checks);
+  addLost(report, limits, checks);
+  return checks;
+}
+
+HealthVerdict worstOf(const std::vector<HealthCheck>& checks) {
+  HealthVerdict worst = HealthVerdict::kUnknown;
+  for (const HealthCheck& check : checks) worst = std::max(worst, check.verdict);
+  return worst;
+}
+
+base::Table healthTable(const std::vector<HealthCheck>& checks) {
+  base::Table table{"Estimator health",
+                    {{"check", {}}, {"verdict", {}}, {"value", {}}, {"expected", {}}, {"advice", {}}},
+                    {},
+                    {}};
+  for (const HealthCheck& check : checks)
+    table.rows.push_back(
+        {check.name, std::string(base::nameOf(check.verdict)), check.value, check.expected, check.advice});
+  return table;
+}
+
+}  // namespace capstan::tracking

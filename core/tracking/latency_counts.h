@@ -1,0 +1,42 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+namespace capstan::tracking {
+
+/// Histogram of camera latencies in steps of 1 ms. No allocation.
+class LatencyCounts {
+ public:
+  static constexpr double kStep = 1e-3;  // [s]
+  static constexpr std::size_t kSteps = 1024;
+
+  /// Adds a latency [s]; longer ones than kSteps count as that, negative ones as 0. NaN is excluded.
+  void add(double latency) {
+    if (std::isnan(latency)) return;
+    const double step = std::clamp(std::round(latency / kStep), 0.0, static_cast<double>(kSteps - 1));
+    ++counts_[static_cast<std::size_t>(step)];
+    ++count_;
+  }
+  std::uint64_t count() const { return count_; }
+  /// Quantile (nearest rank) for `share` in 0 … 1 [s]; NaN without any latency.
+  double quantile(double share) const {
+    const double rank = share * static_cast<double>(count_);
+    double seen = 0.0;
+    for (std::size_t step = 0; step < kSteps; ++step) {
+      seen += static_cast<double>(counts_[step]);
+      if (counts_[step] > 0 && seen >= rank) return kStep * static_cast<double>(step);
+    }
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+
+ private:
+  std::array<std::uint32_t, kSteps> counts_{};
+  std::uint64_t count_ = 0;
+};
+
+}  // namespace capstan::tracking

@@ -1,0 +1,182 @@
+#include "core/tracking/health.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <random>
+#include <string>
+
+namespace capstan::tracking {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kMemory = 0.25;
+
+/// A report of `seconds` at 15 pairs of images per second whose innovations are `factor` times as large as σ.
+class HealthTest : public ::testing::Test {
+ protected:
+  Snapshot camera(double t) {
+    Snapshot s{};
+    s.t = s.t_cam = t;
+    s.motor_updated = s.camera_updated = s.camera_images = true;
+    s.gate = Gate::kOpen;
+    s.latency = 0.05;
+    for (auto& marker : s.marker) marker.fault = vision::MarkerFault::kNone;
+    s.innovation_sigma = Vector3d(0.01, 0.02, 0.001);
+    for (int joint = 0; joint < 3; ++joint)
+      s.innovation(joint) = factor_(joint) * s.innovation_sigma(joint) * noise_(random_);
+    return s;
+  }
+  void run(double seconds, const std::function<void(Snapshot&, int)>& change = {}) {
+    for (int i = 0; i < std::lround(15.0 * seconds); ++i) {
+      Snapshot s = camera(i / 15.0);
+      if (change) change(s, i);
+      report_.add(s);
+    }
+  }
+  std::vector<HealthCheck> checks() const { return healthOf(report_, robot::defaultDescription(), kMemory); }
+  HealthCheck check(const std::string& key) const {
+    for (const HealthCheck& one : checks())
+      if (one.key == key) return one;
+    ADD_FAILURE() << "no check " << key;
+    return {};
+  }
+  /// The only check that does not pass is `key`.
+  void expectOnly(const std::string& key, HealthVerdict verdict) const {
+    for (const HealthCheck& one : checks()) {
+      EXPECT_EQ(one.verdict, one.key == key ? verdict : HealthVerdict::kPass) << one.key << ": " << one.value;
+      EXPECT_EQ(one.advice.empty(), one.key != key) << one.key;
+    }
+    EXPECT_EQ(worstOf(checks()), verdict);
+  }
+
+  Vector3d factor_{1.0, 1.0, 1.0};
+  std::mt19937 random_{5};
+  std::normal_distribution<double> noise_;
+  TrackReport report_;
+};
+
+TEST_F(HealthTest, NothingIsJudgedBeforeTheFirstSample) {
+  EXPECT_TRUE(checks().empty());
+  EXPECT_EQ(worstOf(checks()), HealthVerdict::kUnknown);
+}
+
+TEST_F(HealthTest, AConsistentFilterPasses) {
+  run(60.0);
+  for (const HealthCheck& one : checks())
+    EXPECT_EQ(one.verdict, HealthVerdict::kPass) << one.key << one.value;
+  EXPECT_EQ(worstOf(checks()), HealthVerdict::kPass);
+}
+
+TEST_F(HealthTest, NisIsNotJudgedFromAFewUpdates) {
+  factor_ = Vector3d::Constant(10.0);
+  run(2.0);
+  EXPECT_EQ(check("nis_q1").verdict, HealthVerdict::kUnknown);
+  EXPECT_FALSE(check("nis_q1").value.empty());
+  EXPECT_EQ(worstOf(checks()), HealthVerdict::kPass) << "the other checks are judged";
+}
+
+TEST_F(HealthTest, NisIsJudgedByJointInBothDirections) {
+  factor_ = Vector3d(3.0, 0.3, 1.75);
+  run(60.0);
+  EXPECT_EQ(check("nis_q1").verdict, HealthVerdict::kFail);
+  EXPECT_NE(check("nis_q1").advice.find("3.0 times"), std::string::npos) << check("nis_q1").advice;
+  EXPECT_EQ(check("nis_q2").verdict, HealthVerdict::kCautious) << "too cautious a filter misleads nobody";
+  EXPECT_NE(check("nis_q2").advice.find("too little"), std::string::npos) << check("nis_q2").advice;
+  EXPECT_EQ(check("nis_q3").verdict, HealthVerdict::kCautious);
+}
+
+TEST_F(HealthTest, EveryFaultIsNamedByItsOwnCheck) {
+  run(60.0, [](Snapshot& s, int i) {
+    if (i % 2 == 0) s.marker[1].fault = vision::MarkerFault::kNoPixels;
+  });
+  expectOnly("detection_right", HealthVerdict::kCautious);
+  report_ = {};
+  run(60.0, [](Snapshot& s, int i) {
+    if (i % 20 == 0) s.gate = Gate::kJump;
+  });
+  expectOnly("refused", HealthVerdict::kCautious);
+  report_ = {};
+  run(60.0, [](Snapshot& s, int) { s.latency = 0.3; });
+  expectOnly("latency", HealthVerdict::kFail);
+  report_ = {};
+  run(60.0, [](Snapshot& s, int i) { s.rescues = static_cast<std::uint64_t>(i == 899); });
+  expectOnly("rescues", HealthVerdict::kFail);
+  report_ = {};
+  run(60.0, [](Snapshot& s, int i) { s.motor_refused = static_cast<std::uint64_t>(i / 100); });
+  expectOnly("lost", HealthVerdict::kFail);
+  report_ = {};
+  run(60.0, [](Snapshot& s, int i) {
+    if (i > 100) s.motor_failed[1] = MotorFault::kFrozen;
+  });
+  expectOnly("encoders", HealthVerdict::kFail);
+  EXPECT_NE(check("encoders").value.find("motor 2: frozen since 6.7 s"), std::string::npos);
+  report_ = {};
+  run(60.0, [](Snapshot& s, int) { s.transmission.scale(0) = 0.05; });
+  expectOnly("transmission", HealthVerdict::kCautious);
+}
+
+TEST_F(HealthTest, LostSamplesAreThoseOfAllSides) {
+  SideStatus motors, cameras;
+  motors.missing = 3;
+  cameras.dropped = 4;
+  EXPECT_EQ(lostOf({motors, cameras}), 7U);
+}
+
+TEST_F(HealthTest, TheTableHasEveryCheck) {
+  run(60.0);
+  const base::Table table = healthTable(checks());
+  EXPECT_EQ(table.rows.size(), checks().size());
+  for (const auto& row : table.rows) EXPECT_EQ(row.size(), table.columns.size());
+}
+
+TEST(InnovationRecordTest, MergesWindowsWithoutLosingAnything) {
+  InnovationRecord record;
+  const Vector3d sigma(1.0, 1.0, 1.0);
+  for (int i = 0; i < 2000; ++i) record.add(0.5 * i, Vector3d(1.0, 2.0, 3.0), sigma);
+  EXPECT_EQ(record.length(), 4.0);
+  EXPECT_LE(record.windows().size(), InnovationRecord::kMost);
+  std::uint64_t count = 0;
+  for (const auto& window : record.windows()) {
+    count += window.count;
+    EXPECT_NEAR((window.nis() - Vector3d(1.0, 4.0, 9.0)).norm(), 0.0, 1e-12);
+  }
+  EXPECT_EQ(count, 2000U);
+  EXPECT_EQ(record.count(), 2000U);
+  EXPECT_EQ(record.windows().front().index, 0);
+  EXPECT_EQ(record.windows().back().index, 249);
+}
+
+TEST(InnovationRecordTest, KeepsGapsAndTimesBeforeZero) {
+  InnovationRecord record;
+  for (const double t : {-1.5, 100000.2, 100000.4}) record.add(t, Vector3d::Ones(), Vector3d::Ones());
+  ASSERT_EQ(record.windows().size(), 2U);
+  EXPECT_EQ(record.windows()[0].index, -2);
+  EXPECT_EQ(record.windows()[1].count, 2U);
+}
+
+TEST(InnovationRecordTest, ExcludesWhatIsNotFinite) {
+  InnovationRecord record;
+  record.add(0.0, Vector3d::Constant(std::nan("")), Vector3d::Ones());
+  record.add(std::nan(""), Vector3d::Ones(), Vector3d::Ones());
+  EXPECT_EQ(record.count(), 0U);
+  EXPECT_TRUE(std::isnan(record.nis()(0)));
+}
+
+TEST(LatencyCountsTest, QuantilesAreThoseOfTheSortedValues) {
+  LatencyCounts counts;
+  EXPECT_TRUE(std::isnan(counts.quantile(0.5)));
+  for (int i = 1; i <= 100; ++i) counts.add(1e-3 * i);
+  EXPECT_DOUBLE_EQ(counts.quantile(0.5), 0.050);
+  EXPECT_DOUBLE_EQ(counts.quantile(0.99), 0.099);
+  counts.add(50.0);
+  counts.add(std::nan(""));
+  EXPECT_EQ(counts.count(), 101U);
+  EXPECT_DOUBLE_EQ(counts.quantile(1.0), LatencyCounts::kStep * (LatencyCounts::kSteps - 1));
+}
+
+}  // namespace
+}  // namespace capstan::tracking
