@@ -5,6 +5,7 @@
 
 #include "core/base/yaml.h"
 #include "core/robot/arm_kinematics.h"
+#include "core/robot/transmission.h"
 #include "core/stats/quantile.h"
 #include "core/table_files/write_columns.h"
 
@@ -50,6 +51,30 @@ void PoseCollector::clear() {
   poses_.clear();
   checks_.clear();
   refit();
+}
+
+void PoseCollector::setRobot(const robot::Description& robot) {
+  const robot::Transmission before(robot_), now(robot);
+  const robot::ArmKinematics arm_before(robot_), arm_now(robot);
+  for (auto* poses : {&poses_, &checks_})
+    for (CollectedPose& pose : *poses) {
+      const Eigen::Vector3d q = now.jointFromMotor(before.motorFromJoint(pose.q));
+      pose.pair.base += arm_now.tip(q) - arm_before.tip(pose.q);
+      pose.q = q;
+    }
+  robot_ = robot;
+  refit();
+}
+
+double PoseCollector::rmsBy(const Eigen::Isometry3d& base_from_camera) const {
+  double sum = 0.0, count = 0.0;
+  for (std::size_t i = 0; i < fitted_.size(); ++i) {
+    if (!fit_->used[i]) continue;
+    const PointPair& pair = poses_[fitted_[i]].pair;
+    sum += (base_from_camera * pair.camera - pair.base).squaredNorm();
+    count += 1.0;
+  }
+  return std::sqrt(sum / count);
 }
 
 void PoseCollector::check() {

@@ -45,6 +45,11 @@ class PoseCollector {
   /// Excludes a pose from the fit, or includes it again.
   void exclude(std::size_t pose, bool excluded);
   void clear();
+  /// Computes the tips of all poses again for other constants of the same arm, from their motor positions,
+  /// and fits again.
+  void setRobot(const robot::Description& robot);
+  /// RMS distance of the used poses by another registration than the fit [m]. The fit must exist.
+  double rmsBy(const Eigen::Isometry3d& base_from_camera) const;
   /// Collects kChecks further poses that are not in the fit: closuresOf() compares a registration with them.
   void check();
 

@@ -21,6 +21,8 @@ namespace capstan::widgets {
 
 namespace {
 
+constexpr double kNoOffset = 5e-4;  // [s]
+
 std::shared_ptr<SecondRun> track(tracking::Source& source, const tracking::SourceInfo& info,
                                  const analysis::RerunChange& change, double until,
                                  base::Progress& progress) {
@@ -170,11 +172,15 @@ void CompareController::showBeside() {
   const double offset = same ? aligned->offset : second_->values.begin() - views_.figure.history().begin();
   linked_ = std::make_unique<LinkedFigures>(views_.figure, *second_figure_, offset);
   QString words = tr("Right: %1. ").arg(second_->words);
-  words += same ? tr("Aligned by the motion: its time is %1 s (correlation %2).")
-                      .arg((offset < 0.0 ? QStringLiteral("−%1") : QStringLiteral("+%1"))
-                               .arg(std::abs(offset), 0, 'f', 3))
-                      .arg(aligned->correlation, 0, 'f', 2)
-                : tr("The motions differ: both begin together.");
+  if (!same)
+    words += tr("The motions differ: both begin together.");
+  else if (std::abs(offset) < kNoOffset)
+    words += tr("Aligned by the motion: no offset (correlation %1).").arg(aligned->correlation, 0, 'f', 2);
+  else
+    words += tr("Aligned by the motion: its time is %1 s %2 (correlation %3).")
+                 .arg(std::abs(offset), 0, 'f', 3)
+                 .arg(offset > 0.0 ? tr("ahead") : tr("behind"))
+                 .arg(aligned->correlation, 0, 'f', 2);
   if (same && !aligned->clear()) words += tr(" The motion repeats: other offsets fit nearly as well.");
   const QString errors = errorsText(second_->report);
   if (!errors.isEmpty())

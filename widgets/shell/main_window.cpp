@@ -84,7 +84,9 @@ MainWindow::MainWindow(const QString& settings, QWidget* parent)
   news_ = themed(new MessageBar);
   export_news_ = themed(new MessageBar);
   compare_news_ = themed(new MessageBar);
-  setCentralWidget(column({messages_, news_, export_news_, compare_news_, centre_}, centre_));
+  registration_news_ = themed(new MessageBar);
+  setCentralWidget(
+      column({messages_, news_, registration_news_, export_news_, compare_news_, centre_}, centre_));
   status_ = themed(new StatusLine);
   statusBar()->addWidget(status_, 1);
   bar_ = new SessionBar(this);

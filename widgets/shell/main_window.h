@@ -106,7 +106,7 @@ class MainWindow : public QMainWindow {
   QString title_ = "no source";
   std::optional<double> recording_since_;
   JointFigure* figure_;
-  MessageBar *messages_, *news_, *export_news_, *compare_news_;
+  MessageBar *messages_, *news_, *export_news_, *compare_news_, *registration_news_;
   QSplitter* plots_;
   CompareController* compare_;
   SettingsUndo* undo_;

@@ -72,7 +72,8 @@ void MainWindow::addDocks() {
   new MarkerController(*marker, *floating("marker", tr("Marker"), marker), link_, *bar_, this);
   registration_dock_ =
       floating("registration", tr("Registration"), registration_ = themed(new RegistrationPanel));
-  new RegistrationController(*registration_, *registration_dock_, link_, *bar_, *scene_, *notes_, this);
+  new RegistrationController({*registration_, *registration_dock_, *scene_, *notes_, *registration_news_},
+                             link_, *bar_, this);
   new IdentificationController(*identification_, *identification, link_, *bar_, *notes_, this);
   auto* errors = new AnalysisController(analysis_->errors(), *centre_, link_, *bar_, *errors_, *notes_, this);
   export_ = new ExportController({*figure_, *notes_, *messages_, *export_news_}, *errors, link_, *bar_, this);

@@ -3,91 +3,127 @@
 #include <QAction>
 #include <QDockWidget>
 
+#include "core/base/units.h"
 #include "core/simulation/camera_mounting.h"
 #include "core/simulation/simulated_source.h"
 #include "widgets/panels/notes/notes_panel.h"
+#include "widgets/panels/registration/poses_page.h"
 #include "widgets/panels/registration/registration_panel.h"
 #include "widgets/scene/scene_view.h"
 #include "widgets/shell/keyboard_reach.h"
+#include "widgets/shell/message_bar.h"
 #include "widgets/shell/session_bar.h"
 #include "widgets/shell/session_link.h"
 
 namespace capstan::widgets {
 
-RegistrationController::RegistrationController(RegistrationPanel& panel, QDockWidget& dock, SessionLink& link,
-                                               SessionBar& bar, SceneView& scene, NotesPanel& notes,
+namespace {
+
+constexpr double kBetter = 0.9;  ///< ratio of RMS distances at which another registration is offered
+
+}  // namespace
+
+RegistrationController::RegistrationController(const Views& views, SessionLink& link, SessionBar& bar,
                                                QObject* parent)
-    : QObject(parent), panel_(panel), dock_(dock), link_(link) {
+    : QObject(parent), views_(views), link_(link) {
   addAction(bar);
-  connectPanel(scene, notes);
-  connect(&link, &SessionLink::opened, this, [this, &scene, &notes](const tracking::SourceInfo& info) {
+  connectPanel();
+  connect(&link, &SessionLink::opened, this, [this](const tracking::SourceInfo& info) {
     if (!link_.again()) accepted_.reset();
     in_use_ = accepted_ ? accepted_ : info.base_from_camera;
+    of_poses_ = of_poses_ && accepted_;
     now_ = info.begin;
-    if (accepted_) keepAccepted(scene, notes);
-    if (dock_.isVisible()) begin();
+    if (accepted_) keepAccepted();
+    if (views_.dock.isVisible()) begin();
   });
+  connect(&link, &SessionLink::robotChanged, this, &RegistrationController::followRobot);
   connect(&link, &SessionLink::status, this, [this](const live::RunStatus& status) {
-    panel_.setEnded(status.state == live::RunState::kEnded || status.state == live::RunState::kFailed);
+    views_.panel.setEnded(status.state == live::RunState::kEnded || status.state == live::RunState::kFailed);
   });
   connect(&link, &SessionLink::snapshot, this,
           [this](const tracking::Snapshot& snapshot) { now_ = snapshot.t; });
   connect(&link, &SessionLink::history, this, [this](const std::vector<tracking::Snapshot>& snapshots) {
     for (const auto& snapshot : snapshots)
-      if (panel_.active()) panel_.showSnapshot(snapshot);
+      if (views_.panel.active()) views_.panel.showSnapshot(snapshot);
   });
   connect(&link, &SessionLink::frames, this,
           [this](const tracking::StereoFrame& frame, const tracking::Snapshot& seen) {
-            if (panel_.active()) panel_.showFrames(frame.left, frame.right, seen);
+            if (views_.panel.active()) views_.panel.showFrames(frame.left, frame.right, seen);
           });
 }
 
 void RegistrationController::addAction(SessionBar& bar) {
-  auto* action = dock_.toggleViewAction();
+  auto* action = views_.dock.toggleViewAction();
   action->setObjectName("register");
   action->setText(tr("Register"));
   action->setShortcut(QKeySequence(QStringLiteral("Ctrl+R")));
   action->setToolTip(tr("Find the cameras' pose at the hard stop (Ctrl+R)"));
   bar.addPanelAction(action);
   connect(action, &QAction::triggered, this, [this](bool shown) {
-    if (shown && link_.runner() && !panel_.active()) begin();
+    if (shown && link_.runner() && !views_.panel.active()) begin();
     if (!shown) return;
-    dock_.activateWindow();
-    focusFirst(panel_);
+    views_.dock.activateWindow();
+    focusFirst(views_.panel);
   });
 }
 
-void RegistrationController::connectPanel(SceneView& scene, NotesPanel& notes) {
+void RegistrationController::connectPanel() {
   using simulation::SimulatedSource;
-  connect(&panel_, &RegistrationPanel::driveToHardStopRequested, this, [this] {
+  connect(&views_.panel, &RegistrationPanel::driveToHardStopRequested, this, [this] {
     command(&SimulatedSource::driveToHardStop);
     link_.setRunning(true);
   });
-  connect(&panel_, &RegistrationPanel::accepted, this,
-          [this, &scene, &notes](const Eigen::Isometry3d& base_from_camera) {
-            if (link_.runner()) link_.runner()->setRegistration(base_from_camera);
-            in_use_ = accepted_ = base_from_camera;
-            scene.setRegistration(base_from_camera);
+  connect(&views_.panel.posesPage(), &PosesPage::accepted, this, [this] { of_poses_ = true; });
+  connect(&views_.panel, &RegistrationPanel::accepted, this,
+          [this](const Eigen::Isometry3d& base_from_camera) {
+            of_poses_ = false;  // unless the poses' page says so next
+            use(base_from_camera, tr("accepted"));
             command(&SimulatedSource::resume);
-            notes.addEvent(now_, "registration", tr("accepted"));
           });
-  connect(&panel_, &RegistrationPanel::rejected, this, [this, &notes](const QString& reason) {
+  connect(&views_.panel, &RegistrationPanel::rejected, this, [this](const QString& reason) {
     command(&SimulatedSource::resume);
-    notes.addEvent(now_, "registration", tr("rejected: %1").arg(reason));
+    views_.notes.addEvent(now_, "registration", tr("rejected: %1").arg(reason));
   });
-  connect(&panel_, &RegistrationPanel::finished, this, [this] {
+  connect(&views_.panel, &RegistrationPanel::finished, this, [this] {
     command(&SimulatedSource::resume);
-    dock_.hide();
+    views_.dock.hide();
   });
 }
 
+void RegistrationController::use(const Eigen::Isometry3d& base_from_camera, const QString& how) {
+  if (link_.runner()) link_.runner()->setRegistration(base_from_camera);
+  in_use_ = accepted_ = base_from_camera;
+  views_.scene.setRegistration(base_from_camera);
+  views_.notes.addEvent(now_, "registration", how);
+}
+
+/// Poses are tips by the robot's constants: with other constants, the registration that was fitted to them is
+/// wrong by what those were wrong.
+void RegistrationController::followRobot() {
+  if (!link_.runner()) return;
+  views_.panel.posesPage().setRobot(link_.runner()->robot());
+  const registration::PoseCollector* collector = views_.panel.posesPage().collector();
+  if (!of_poses_ || !in_use_ || !collector || !collector->fit()) return;
+  const auto& fit = *collector->fit();
+  const double before = base::toMillimetres(collector->rmsBy(*in_use_)), after = base::toMillimetres(fit.rms);
+  if (after > kBetter * before) return;
+  views_.news.showNews(tr("The cameras were registered with the robot's former constants. With the new ones "
+                          "the same poses fit to "
+                          "%1 mm instead of %2 mm.")
+                           .arg(after, 0, 'f', 2)
+                           .arg(before, 0, 'f', 2),
+                       {{tr("Register again"), [this, pose = fit.base_from_camera] {
+                           use(pose, tr("fitted again to the same poses"));
+                         }}});
+}
+
 /// Passes an accepted registration on, after the scene and the notes have begun the session themselves.
-void RegistrationController::keepAccepted(SceneView& scene, NotesPanel& notes) {
+void RegistrationController::keepAccepted() {
   link_.runner()->setRegistration(*accepted_);
-  const auto tell = [this, &scene, &notes] {
+  const auto tell = [this] {
     if (!accepted_) return;
-    scene.setRegistration(*accepted_);
-    notes.addEvent(now_, "registration", tr("the accepted registration stays in use"));
+    views_.scene.setRegistration(*accepted_);
+    views_.notes.addEvent(now_, "registration", tr("the accepted registration stays in use"));
   };
   QMetaObject::invokeMethod(this, tell, Qt::QueuedConnection);
 }
@@ -100,10 +136,11 @@ void RegistrationController::command(void (simulation::SimulatedSource::*what)()
 }
 
 void RegistrationController::begin() {
-  const auto& info = link_.runner()->info();
+  tracking::SourceInfo info = link_.runner()->info();
+  info.robot = link_.runner()->robot();  // poses are tips by its constants
   auto current = in_use_;
   if (!current && info.live) current = simulation::nominalBaseFromCamera(info.robot);
-  panel_.begin(info, current);
+  views_.panel.begin(info, current);
 }
 
 }  // namespace capstan::widgets

@@ -15,6 +15,7 @@ class SimulatedSource;
 
 namespace capstan::widgets {
 
+class MessageBar;
 class NotesPanel;
 class RegistrationPanel;
 class SceneView;
@@ -22,27 +23,37 @@ class SessionBar;
 class SessionLink;
 
 /// Connects the registration panel to the running session: moves the simulated arm, passes the accepted pose
-/// of the cameras to the pipeline and the scene, and adds an entry in the bar and notes.
+/// of the cameras to the pipeline and the scene, and adds an entry in the bar and notes. When the robot
+/// changes, as by an identification, poses that the registration in use was fitted to are fitted again, and
+/// the better registration is offered.
 class RegistrationController : public QObject {
   Q_OBJECT
 
  public:
-  RegistrationController(RegistrationPanel& panel, QDockWidget& dock, SessionLink& link, SessionBar& bar,
-                         SceneView& scene, NotesPanel& notes, QObject* parent);
+  struct Views {
+    RegistrationPanel& panel;
+    QDockWidget& dock;
+    SceneView& scene;
+    NotesPanel& notes;
+    MessageBar& news;
+  };
+  RegistrationController(const Views& views, SessionLink& link, SessionBar& bar, QObject* parent);
 
  private:
   void addAction(SessionBar& bar);
-  void connectPanel(SceneView& scene, NotesPanel& notes);
+  void connectPanel();
   void command(void (simulation::SimulatedSource::*what)());
   void begin();
-  void keepAccepted(SceneView& scene, NotesPanel& notes);
+  void keepAccepted();
+  void use(const Eigen::Isometry3d& base_from_camera, const QString& how);
+  void followRobot();
 
-  RegistrationPanel& panel_;
-  QDockWidget& dock_;
+  Views views_;
   SessionLink& link_;
   double now_ = 0.0;  ///< newest session time [s]
   std::optional<Eigen::Isometry3d> in_use_;
   std::optional<Eigen::Isometry3d> accepted_;  ///< accepted by a user for this source
+  bool of_poses_ = false;                      ///< the registration in use was fitted to the panel's poses
 };
 
 }  // namespace capstan::widgets

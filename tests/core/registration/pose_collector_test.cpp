@@ -7,6 +7,7 @@
 #include "core/registration/closure.h"
 #include "core/registration/pair_table.h"
 #include "core/robot/arm_kinematics.h"
+#include "core/robot/transmission.h"
 #include "tests/support/folders.h"
 
 namespace capstan::registration {
@@ -41,9 +42,10 @@ class Poses : public ::testing::Test {
     tracking::Snapshot s;
     s.camera_updated = true;
     s.t_cam = t_ += 1.0 / 15.0;
-    s.q_link_kin = q;
-    s.tip_kin_cam = arm_.tip(q);
-    s.tip_in_camera = truth_.inverse() * s.tip_kin_cam + Eigen::Vector3d(0.0, 0.0, error);
+    s.q_link_kin =
+        robot::Transmission(collector_.robot()).jointFromMotor(robot::Transmission(robot_).motorFromJoint(q));
+    s.tip_kin_cam = arm_.tip(s.q_link_kin);
+    s.tip_in_camera = truth_.inverse() * arm_.tip(q) + Eigen::Vector3d(0.0, 0.0, error);
     for (int i = 0; i < 3; ++i) s.tip_in_camera(i) += random_.normal(0.0, kNoise);
     s.tip_in_camera_covariance = kNoise * kNoise * Eigen::Matrix3d::Identity();
     collector_.observe(s);
@@ -75,6 +77,26 @@ TEST_F(Poses, GiveTheTransformWithItsErrorAtTheTool) {
   }
   EXPECT_LT(worst, 2.0 * error95.largest);
   EXPECT_GT(2.0 * error95.largest, 1e-4) << "an interval that promises what noise cannot keep is none";
+}
+
+TEST_F(Poses, AreThoseOfTheRobotsPresentConstants) {
+  robot::Description wrong = robot_;
+  wrong.drives[0].link_radius *= 1.07;
+  wrong.drives[1].link_radius *= 0.98;
+  collector_ = PoseCollector(wrong);
+  collector_.setCollecting(true);
+  for (int i = 0; i < 20; ++i) visit();
+  ASSERT_TRUE(collector_.fit().has_value());
+  const Eigen::Isometry3d former = collector_.fit()->base_from_camera;
+  EXPECT_GT(collector_.fit()->rms, 4.0 * kNoise) << "tips by wrong radii do not fit a rigid motion";
+  EXPECT_NEAR(collector_.rmsBy(former), collector_.fit()->rms, 1e-9);
+  collector_.setRobot(robot_);
+  ASSERT_TRUE(collector_.fit().has_value());
+  EXPECT_LT(collector_.fit()->rms, 2.0 * kNoise);
+  EXPECT_GT(collector_.rmsBy(former), 5.0 * collector_.fit()->rms);
+  EXPECT_LT((collector_.fit()->base_from_camera.translation() - truth_.translation()).norm(), 1e-3);
+  collector_.setRobot(wrong);
+  EXPECT_LT((collector_.fit()->base_from_camera.translation() - former.translation()).norm(), 1e-9);
 }
 
 TEST_F(Poses, AreExcludedAndComeBack) {

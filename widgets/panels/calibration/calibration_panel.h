@@ -46,7 +46,7 @@ class CalibrationPanel : public QWidget {
   const std::optional<vision::CalibrationReport>& report() const { return report_; }
   BoardForm& form() { return *form_; }
   QString message() const;
-  QSize sizeHint() const override { return {820, 720}; }
+  QSize sizeHint() const override { return {860, 760}; }
 
  private:
   QWidget* makeButtons();

@@ -23,7 +23,7 @@ class CoveragePicture : public QWidget {
                     const vision::BoardCoverage& coverage);
   void clearImage();
   QSize sizeHint() const override { return {320, 320}; }
-  QSize minimumSizeHint() const override { return {200, 220}; }
+  QSize minimumSizeHint() const override { return {200, 170}; }
 
  protected:
   void paintEvent(QPaintEvent* event) override;

@@ -40,7 +40,7 @@ ViewTable::ViewTable(QWidget* parent) : QTableWidget(0, kColumns, parent) {
   horizontalHeader()->setStretchLastSection(true);
   setEditTriggers(QAbstractItemView::NoEditTriggers);
   setSelectionBehavior(QAbstractItemView::SelectRows);
-  setMinimumHeight(110);
+  setMinimumHeight(84);
   connect(this, &QTableWidget::itemChanged, this, [this](QTableWidgetItem* item) {
     if (!filling_ && item->column() == kView) Q_EMIT leftOut(item->row(), item->checkState() != Qt::Checked);
   });

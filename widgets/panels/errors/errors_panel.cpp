@@ -4,6 +4,7 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <cmath>
@@ -59,14 +60,17 @@ ErrorsPanel::ErrorsPanel(QWidget* parent) : QWidget(parent) {
   reset_->setToolTip(tr("Restart the errors (E)"));
   reset_->setShortcut(QKeySequence(Qt::Key_E));
   connect(reset_, &QPushButton::clicked, this, &ErrorsPanel::resetRequested);
-  grid->addWidget(note_, 4, 0, 1, 3);
-  grid->addWidget(reset_, 4, 3, 1, 2, Qt::AlignRight);
   health_ = new QPushButton;
-  health_->setToolTip(tr("Checks of the estimator, with advice (Ctrl+7)"));
+  health_->setToolTip(tr("Estimator health: checks of the estimator, with advice (Ctrl+7)"));
   connect(health_, &QPushButton::clicked, this, &ErrorsPanel::healthRequested);
-  grid->addWidget(health_, 5, 0, 1, 5);
+  auto* foot = new QHBoxLayout;
+  foot->setSpacing(6);
+  foot->addWidget(note_, 1);
+  foot->addWidget(health_);
+  foot->addWidget(reset_);
+  grid->addLayout(foot, 4, 0, 1, 5);
   showVerdict({});
-  grid->setRowStretch(6, 1);
+  grid->setRowStretch(5, 1);
   for (int column = 1; column <= 3; ++column) grid->setColumnStretch(column, 1);
   auto* copy = new QAction(tr("Copy as text"), this);
   connect(copy, &QAction::triggered, this, [this] { QApplication::clipboard()->setText(text()); });
@@ -78,7 +82,8 @@ ErrorsPanel::ErrorsPanel(QWidget* parent) : QWidget(parent) {
 }
 
 void ErrorsPanel::showVerdict(const QString& verdict) {
-  health_->setText(tr("Estimator health: %1").arg(verdict.isEmpty() ? tr("– unknown") : verdict));
+  health_->setText(verdict.isEmpty() ? tr("– health") : verdict);
+  health_->setAccessibleName(tr("Estimator health: %1").arg(verdict.isEmpty() ? tr("unknown") : verdict));
 }
 
 QString ErrorsPanel::text() const {

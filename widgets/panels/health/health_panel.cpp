@@ -47,17 +47,22 @@ void HealthPanel::setTheme(const Theme& theme) {
   theme_ = theme;
   plot_->setTheme(theme);
   for (std::size_t i = 0; i < rows_.size(); ++i) showRow(rows_[i], checks_[i]);
-  paint(*headline_, verdictColour(tracking::worstOf(checks_), theme_));
+  paintHeadline();
 }
 
 void HealthPanel::showHealth(const std::vector<HealthCheck>& checks, const tracking::InnovationRecord& nis) {
   checks_ = checks;
   const HealthVerdict verdict = tracking::worstOf(checks);
   headline_->setText(checks.empty() ? tr("Nothing has been tracked yet") : verdictText(verdict));
-  paint(*headline_, verdictColour(verdict, theme_));
+  paintHeadline();
   setRows(checks.size());
   for (std::size_t i = 0; i < checks.size(); ++i) showRow(rows_[i], checks[i]);
   plot_->showRecord(nis);
+}
+
+void HealthPanel::paintHeadline() {
+  headline_->setStyleSheet(
+      QStringLiteral("color: %1").arg(verdictColour(tracking::worstOf(checks_), theme_).name()));
 }
 
 void HealthPanel::setRows(std::size_t count) {

@@ -30,6 +30,7 @@ class HealthPanel : public QWidget {
   struct Row {
     QLabel *name, *verdict, *value, *advice;
   };
+  void paintHeadline();
   void setRows(std::size_t count);
   void showRow(const Row& row, const tracking::HealthCheck& check);
 

@@ -162,6 +162,12 @@ void PosesPage::begin(const robot::Description& robot, const std::optional<Eigen
   refresh();
 }
 
+void PosesPage::setRobot(const robot::Description& robot) {
+  if (!collector_) return;
+  collector_->setRobot(robot);
+  refresh();
+}
+
 void PosesPage::showSnapshot(const tracking::Snapshot& snapshot) {
   if (!active()) return;
   if (collector_->observe(snapshot)) refresh();

@@ -29,6 +29,8 @@ class PosesPage : public QWidget {
   void setTheme(const Theme& theme);
   /// Starts again for a robot. `current`: the registration in use.
   void begin(const robot::Description& robot, const std::optional<Eigen::Isometry3d>& current);
+  /// Fits the poses again for other constants of the robot.
+  void setRobot(const robot::Description& robot);
   void showSnapshot(const tracking::Snapshot& snapshot);
   /// Sets whether the session has ended, so that no more frames arrive.
   void setEnded(bool ended);
