@@ -34,6 +34,9 @@ JointFigure::JointFigure(const JointHistory& history, Medium medium, QWidget* pa
   live_->setFont(textFont(9.0));
   live_->hide();
   connect(live_, &QPushButton::clicked, this, [this] { setFollowing(true); });
+  later_.setSingleShot(true);
+  later_.setInterval(kRest);
+  connect(&later_, &QTimer::timeout, this, [this] { refresh(); });
   layOut();
   setJointNames({tr("joint 1"), tr("joint 2"), tr("joint 3")});
   setTheme(Theme::light());
@@ -203,7 +206,13 @@ void JointFigure::refresh(bool at_once) {
   if (following_)
     end_ = std::max(history_->end(), history_->begin() + span_ * (1.0 - kLiveMargin)) + kLiveMargin * span_;
   const QCPRange time(end_ - span_, end_);
-  if (!at_once && viewOf(time) == drawn_) return;
+  const View view = viewOf(time);
+  if (!at_once && view == drawn_) return;
+  if (!at_once && barelyMoved(view)) {
+    if (!later_.isActive()) later_.start();
+    return;
+  }
+  later_.stop();
   const std::size_t most = static_cast<std::size_t>(std::max(kStepsAPixel * width(), 200.0));
   if (note_) note_->setTitle(noteText(time));
   for (std::size_t i = 0; i < plots_.size(); ++i) {
@@ -216,6 +225,7 @@ void JointFigure::refresh(bool at_once) {
   showReadout(cursor_.value_or(following_ ? history_->end() : std::min(end_, history_->end())));
   if (!(time == drawn_.time)) Q_EMIT timeRangeShown(time.lower, time.upper);
   drawn_ = viewOf(time);
+  since_drawn_.start();
   replot(at_once ? rpImmediateRefresh : rpQueuedReplot);
 }
 
@@ -250,21 +260,6 @@ void JointFigure::showReadout(double t) {
       plot->showDifferences(*mark_, t, kCameraReach);
     else
       plot->showValuesAt(t, kCameraReach);
-}
-
-JointFigure::View JointFigure::viewOf(const QCPRange& time) const {
-  View view{.time = time,
-            .values = {},
-            .size = size(),
-            .theme = theme_,
-            .cursor = cursor_,
-            .begin = std::max(history_->begin(), time.lower),
-            .detail = std::clamp(history_->detailBegin(), time.lower, time.upper),
-            .block = history_->blockAt(std::max(history_->begin(), time.lower)),
-            .revision = history_->end() <= time.upper ? history_->revision() : 0};
-  for (std::size_t i = 0; i < plots_.size(); ++i)
-    view.values[i] = plots_[i]->axes()->axis(QCPAxis::atLeft)->range();
-  return view;
 }
 
 void JointFigure::placeLiveButton() {

@@ -2,6 +2,9 @@
 
 #include <qcustomplot.h>
 
+#include <QElapsedTimer>
+#include <QTimer>
+
 #include <array>
 #include <memory>
 #include <optional>
@@ -26,6 +29,8 @@ class JointFigure : public QCustomPlot {
   Q_OBJECT
  public:
   enum class Medium { kScreen, kPaper };
+  /// Longest time for which a change of less than half a pixel waits [ms].
+  static constexpr int kRest = 200;
   static constexpr double kShortest = 0.05;  ///< least time shown [s]
   /// `history` must outlive the figure.
   explicit JointFigure(const JointHistory& history, Medium medium = Medium::kScreen,
@@ -119,9 +124,11 @@ class JointFigure : public QCustomPlot {
     std::optional<double> cursor;
     double begin = 0.0, detail = 0.0, block = 0.0;  ///< times of the history, as far as in view
     std::uint64_t revision = 0;                     ///< revision of the history, where its end is in view
+    double newest = 0.0;                            ///< its last time, where that is in view
     bool operator==(const View&) const = default;
   };
   View viewOf(const QCPRange& time) const;
+  bool barelyMoved(const View& view) const;
   void layOut();
   QCPItemStraightLine* addLine(const JointPlot& plot);
   void showStatisticsOf(int joint, const QCPRange& time);
@@ -164,6 +171,8 @@ class JointFigure : public QCustomPlot {
   double end_ = 0.0;
   std::optional<double> cursor_, mark_;
   View drawn_;  ///< the view drawn last
+  QElapsedTimer since_drawn_;
+  QTimer later_;  ///< draws what was not worth drawing at once
   std::optional<QPointF> drag_from_;
   double drag_end_ = 0.0;
   bool dragged_ = false;

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kDash = 8.0, kDashPeriod = 15.0;  ///< dash and period of the kinematic line, along time [px]
 constexpr double kProminence = 4.0;                ///< least height of a spike that no gap may hide [px]
+constexpr double kDense = 0.5;                     ///< time per pixel from which a curve is a band [s]
 constexpr double kCasing = 0.8;                    ///< width of the edge at each side of a dash [px]
 constexpr double kDotSize = 5.0;                   ///< [px]
 
@@ -74,6 +75,7 @@ void JointPlot::setTitle(const QString& title, const QString& unit, const QStrin
 
 void JointPlot::setTheme(const Theme& theme, bool vectors, double widths) {
   widths_ = widths;
+  on_screen_ = !vectors;
   header_->setTheme(theme);
   shade_->setTheme(theme);
   detail_mark_->setTheme(theme);
@@ -169,6 +171,10 @@ void JointPlot::fill(double begin, double end, std::size_t most) {
   });
   fillSecond(begin, end, most);
   const double pixel = widths_ * (end - begin) / std::max(axes_->width(), 1);
+  // Where every pixel has a rise and a fall, smooth edges show nothing and cost most of the drawing.
+  const bool dense = on_screen_ && (end - begin) / std::max(axes_->width(), 1) > kDense;
+  for (QCPGraph* graph : graphs_) graph->setAntialiased(!dense);
+  for (QCPGraph* graph : {casing_, second_graph_}) graph->setAntialiased(!dense);
   const double prominence = widths_ * kProminence * drawn_.size() / std::max(axes_->height(), 1);
   DashCutter(kDashPeriod * pixel, kDash * pixel, prominence).cut(kinematic_.points(), dashed_);
   graph(Quantity::kTrue)->data()->set(truth_.points(), true);

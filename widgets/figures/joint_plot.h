@@ -81,6 +81,7 @@ class JointPlot {
   std::array<QCPGraph*, 4> graphs_{};
   QCPGraph* casing_;  ///< background-coloured edge of each dash: separates dash from line in grey print
   SigmaBand* band_;
+  bool on_screen_ = true;
   const JointHistory* second_ = nullptr;
   QCPGraph* second_graph_;
   CurveBuilder second_line_;

@@ -1,6 +1,7 @@
 #include "widgets/scene/scene_view.h"
 
 #include <QContextMenuEvent>
+#include <QElapsedTimer>
 #include <QGuiApplication>
 #include <QMenu>
 #include <QMouseEvent>
@@ -15,6 +16,7 @@ namespace capstan::widgets {
 namespace {
 
 constexpr int kPeriod = 66;  ///< least time between images [ms]
+constexpr int kRest = 4;     ///< a drawing is followed by a rest of as many times its duration
 constexpr double kEllipsoidSigmas = 2.0;
 constexpr double kEllipsoidWanted = 0.012;  // [m] half axis that can be seen from the opening view
 
@@ -47,7 +49,11 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent) {
   key(Qt::Key_Home, [this] { resetCamera(); });
   timer_.setInterval(kPeriod);
   connect(&timer_, &QTimer::timeout, this, [this] {
-    if (changed_ && isVisible()) draw();
+    if (!changed_ || !isVisible()) return;
+    QElapsedTimer spent;
+    spent.start();
+    draw();
+    timer_.setInterval(std::max(kPeriod, static_cast<int>(kRest * spent.elapsed())));
   });
   timer_.start();
 }

@@ -15,6 +15,7 @@ namespace capstan::widgets {
 namespace {
 
 constexpr int kPeriod = 33;       ///< [ms]
+constexpr int kFramePeriod = 8;   ///< of looking for new images [ms]
 constexpr int kReportTicks = 10;  ///< ticks per update of the error table: three per second
 
 std::unique_ptr<live::Runner> makeRunner(std::unique_ptr<tracking::Source> source) {
@@ -32,6 +33,9 @@ bool isRecording(const live::Runner& runner) {
 SessionLink::SessionLink(QObject* parent) : QObject(parent) {
   connect(&timer_, &QTimer::timeout, this, &SessionLink::tick);
   timer_.start(kPeriod);
+  frames_timer_.setTimerType(Qt::PreciseTimer);
+  connect(&frames_timer_, &QTimer::timeout, this, &SessionLink::lookForFrames);
+  frames_timer_.start(kFramePeriod);
 }
 
 SessionLink::~SessionLink() = default;
@@ -164,6 +168,11 @@ void SessionLink::toggleRecording(const QString& folder) {
   }
 }
 
+/// Images are shown as they come: cameras of 30 frames per second would beat with the ticks.
+void SessionLink::lookForFrames() {
+  if (runner_ && runner_->takeFrames(frame_, &seen_)) Q_EMIT frames(frame_, seen_);
+}
+
 void SessionLink::tick() {
   hearRetired();
   if (opening() && opening_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) finishOpening();
@@ -171,7 +180,6 @@ void SessionLink::tick() {
   history_.clear();
   if (runner_->drainHistory(history_) > 0) Q_EMIT history(history_);
   if (runner_->takeSnapshot(snapshot_)) Q_EMIT snapshot(snapshot_);
-  if (runner_->takeFrames(frame_, &seen_)) Q_EMIT frames(frame_, seen_);
   const auto now = runner_->status();
   if (now.state == live::RunState::kFailed && last_state_ != now.state)
     Q_EMIT failed(QString::fromStdString(now.error));

@@ -67,13 +67,14 @@ class SessionLink : public QObject {
 
  private:
   void tick();
+  void lookForFrames();
   void beginOpening(const SourceChoice& choice);
   void finishOpening();
   void begin(std::unique_ptr<live::Runner> runner, const std::optional<SourceChoice>& choice);
   void retire(std::unique_ptr<live::Runner> runner);
   void hearRetired();
 
-  QTimer timer_;
+  QTimer timer_, frames_timer_;
   std::future<std::unique_ptr<live::Runner>> opening_;
   SourceChoice choice_;                     ///< choice of opening_
   std::optional<SourceChoice> waiting_;     ///< the source to open next
