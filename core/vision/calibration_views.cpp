@@ -47,9 +47,9 @@ CalibrationViews::Look CalibrationViews::look(const cv::Mat& left, const cv::Mat
     seen.verdict = Verdict::kWrongSize;
     return seen;
   }
+  if (views().empty() && votes_.wanted()) votes_.look(grey_left);  // cheaper than a search in vain
   if (!votes_.canHold()) return seen;
   seen.left = finder_->find(grey_left);
-  if (!seen.left && votes_.wanted()) votes_.look(grey_left);
   if (seen.left) seen.right = finder_->find(grey_right);
   if (!seen.left || !seen.right) return seen;
   const BoardPair pair = finder_->common(*seen.left, *seen.right);

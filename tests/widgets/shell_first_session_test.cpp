@@ -114,7 +114,7 @@ void FirstSession::registerInSeveralPoses() {
   PosesPage& page = panel->posesPage();
   ASSERT_TRUE(page.isVisible());
   click(page, "Collect poses");
-  ASSERT_TRUE(waitLong([&] { return page.collector()->poses().size() >= 20 && page.collector()->fit(); }));
+  ASSERT_TRUE(waitLong([&] { return page.collector()->poses().size() >= 12 && page.collector()->fit(); }));
   click(page, "Check at three more poses");
   ASSERT_TRUE(waitLong([&] { return page.collector()->checks().size() == 3; }));
   picture("registration");
@@ -135,7 +135,7 @@ void FirstSession::identify() {
     return std::any_of(rows.begin(), rows.end(),
                        [](const auto& row) { return row.name == "r_l1" && row.seen; });
   };
-  ASSERT_TRUE(waitLong([&] { return radius_known() && panel.live().shown().recorded > 40.0; }))
+  ASSERT_TRUE(waitLong([&] { return radius_known() && panel.live().shown().recorded > 25.0; }))
       << panel.words().toStdString();
   picture("identification");
   press(Qt::Key_I);
