@@ -69,8 +69,8 @@ void addOptions(CLI::App& cli, Arguments& arguments) {
       ->check(CLI::IsMember({"running", "occluded", "paused"}))
       ->needs(image);
   cli.add_option("--show", arguments.show,
-                 "panel in the picture: marker, register, analyse, diagnose or learn")
-      ->check(CLI::IsMember({"marker", "register", "analyse", "diagnose", "learn"}))
+                 "panel in the picture: health, calibration, marker, register, analyse, diagnose or learn")
+      ->check(CLI::IsMember({"health", "calibration", "marker", "register", "analyse", "diagnose", "learn"}))
       ->needs(image);
   cli.add_option("--after", arguments.after, "time until the picture is saved [s]")
       ->capture_default_str()

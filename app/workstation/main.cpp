@@ -52,7 +52,10 @@ void planScreenshot(capstan::widgets::MainWindow& window, const Arguments& argum
     });
   if (!arguments.show.empty())
     QTimer::singleShot(after / 2, Qt::PreciseTimer, &window,
-                       [&window, &arguments] { window.action(arguments.show.c_str())->trigger(); });
+                       [&window, name = QString::fromStdString(arguments.show)] {
+                         QAction* action = window.action(name);
+                         (action ? action : window.action("view_" + name))->trigger();
+                       });
   if (arguments.state == "paused")
     QTimer::singleShot(after - 800, Qt::PreciseTimer, &window,
                        [&window] { window.link().setRunning(false); });
