@@ -65,10 +65,10 @@ BoardForm::BoardForm(QWidget* parent) : QWidget(parent) {
   pair->addWidget(rows_);
   add(0, 0, new QLabel(tr("Board")), kind_);
   add(0, 2, size_label_, size);
-  add(0, 4, new QLabel(tr("Square")), square_);
-  add(1, 0, dictionary_label_, dictionary_);
-  add(1, 4, marker_label_, marker_);
-  grid->setColumnStretch(6, 1);
+  add(1, 0, new QLabel(tr("Square")), square_);
+  add(1, 2, marker_label_, marker_);
+  add(2, 0, dictionary_label_, dictionary_);
+  grid->setColumnStretch(4, 1);
   setOptions({});
   const auto tell = [this] {
     showMarkerFields();
