@@ -70,7 +70,7 @@ std::string alignmentText(const std::optional<analysis::Alignment>& found) {
       found->offset, found->overlap, found->correlation,
       found->clear()
           ? ""
-          : fmt::format("; not clear: {:.3f} at another offset, the motion repeats", found->rival));
+          : fmt::format("; not clear: {:.3f} at another offset, the motion repeats", found->second_best));
 }
 
 std::string rowText(const char* name, const Eigen::Vector3d& first, const Eigen::Vector3d& second) {
@@ -103,8 +103,9 @@ std::string comparisonText(const Tracked& first, const Tracked& second) {
 
 nlohmann::json alignmentJson(const std::optional<analysis::Alignment>& found) {
   if (!found) return {};
-  return {{"offset", found->offset},   {"correlation", found->correlation}, {"rival", found->rival},
-          {"overlap", found->overlap}, {"same_motion", found->same()},      {"clear", found->clear()}};
+  return {{"offset", found->offset},           {"correlation", found->correlation},
+          {"second_best", found->second_best}, {"overlap", found->overlap},
+          {"same_motion", found->same()},      {"clear", found->clear()}};
 }
 
 nlohmann::json trackedJson(const Tracked& one) {

@@ -254,7 +254,8 @@ ExitCode report(ReportArguments& arguments, const CLI::App& command) {
   base::writeTextFile(folder / "index.html", indexHtml(page, result));
 
   output.text(fmt::format("robot          {}\n", info.robot.name) + textOf(result, info, 0.0) +
-              healthText(page.health) + textOf(page.rows) + fmt::format("\nreport         {}\n", (folder / "index.html").string()));
+              healthText(page.health) + textOf(page.rows) +
+              fmt::format("\nreport         {}\n", (folder / "index.html").string()));
   nlohmann::json document = jsonOf(result, info);
   document["health"] = healthJson(page.health);
   document["identified"] = jsonOf(after, info);

@@ -12,8 +12,8 @@
 namespace capstan::cli {
 
 void addStudy(CLI::App& app, ExitCode& exit) {
-  CLI::App* study =
-      app.add_subcommand("study", "Studies of the method itself, mostly Monte-Carlo studies on simulated robots");
+  CLI::App* study = app.add_subcommand(
+      "study", "Studies of the method itself, mostly Monte-Carlo studies on simulated robots");
   study->require_subcommand(1);
   addMonteCarloStudy(*study, exit);
   addCramerRaoStudy(*study, exit);

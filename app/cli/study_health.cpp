@@ -62,7 +62,7 @@ void addHealthStudy(CLI::App& study, ExitCode& exit) {
       ->check(CLI::Range(5.0, 3600.0));
   command
       ->add_option("--seed", options->seed,
-                   "random seed of the first session; the limits were chosen on seeds 1 to 20")
+                   "random seed of the first session; the limits were chosen on seeds 1 to 10")
       ->capture_default_str();
   command
       ->add_option("--truth", options->truth,

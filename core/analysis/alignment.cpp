@@ -97,11 +97,11 @@ std::optional<Alignment> alignmentOf(const MotionSeries& a, const MotionSeries& 
   const double shift = (static_cast<double>(at) + between) * MotionSeries::kStep;
   alignment.offset = b.begin() - a.begin() + shift;
   alignment.correlation = most;
-  alignment.rival = -1.0;
+  alignment.second_best = -1.0;
   const long apart = std::lround(Alignment::kApart / (kCoarse * MotionSeries::kStep));
   for (std::size_t i = 0; i < tried.size(); ++i)
     if (std::abs(lowest + static_cast<long>(i) - best) > apart)
-      alignment.rival = std::max(alignment.rival, tried[i]);
+      alignment.second_best = std::max(alignment.second_best, tried[i]);
   alignment.overlap =
       std::min(a.end(), b.end() - alignment.offset) - std::max(a.begin(), b.begin() - alignment.offset);
   return alignment;

@@ -33,14 +33,14 @@ class MotionSeries {
 struct Alignment {
   double offset = 0.0;       ///< time in b minus time in a at the same place of the motion [s]
   double correlation = 0.0;  ///< of the joint speeds there, −1 to 1
-  double rival = 0.0;        ///< highest correlation at an offset that differs by more than kApart
+  double second_best = 0.0;  ///< highest correlation at an offset that differs by more than kApart
   double overlap = 0.0;      ///< time that both sessions have then [s]
 
   static constexpr double kSame = 0.7, kClear = 0.1, kApart = 1.0;
   /// The sessions have the same motion.
   bool same() const { return correlation >= kSame; }
   /// No other offset fits nearly as well, as it would for a motion that repeats.
-  bool clear() const { return same() && correlation - rival >= kClear; }
+  bool clear() const { return same() && correlation - second_best >= kClear; }
 };
 
 /// The offset with the highest correlation of the joint speeds, each joint weighted by its own RMS speed. At

@@ -134,7 +134,8 @@ SessionRecord recordOf(const std::filesystem::path& recording, const std::filesy
 std::vector<experiments::NamedTable> tablesOf(const SessionRecord& record) {
   std::vector<experiments::NamedTable> tables;
   tables.push_back({record.run.name + "-report", reportTable(record)});
-  if (!record.health.empty()) tables.push_back({record.run.name + "-health", tracking::healthTable(record.health)});
+  if (!record.health.empty())
+    tables.push_back({record.run.name + "-health", tracking::healthTable(record.health)});
   if (!record.events.empty()) tables.push_back({record.run.name + "-events", eventTable(record)});
   return tables;
 }

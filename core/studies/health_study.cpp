@@ -10,6 +10,7 @@
 
 #include "core/base/units.h"
 #include "core/base/workers.h"
+#include "core/live/motor_failures.h"
 #include "core/simulation/simulation_request.h"
 #include "core/studies/true_radii.h"
 #include "core/tracking/arrival.h"
@@ -31,14 +32,9 @@ struct Fault {
   std::vector<std::string> expected;
   bool true_radii = true;
   double cameras_rotated = 0.0;  ///< about the vertical axis of frame 0, through its origin [rad]
-  std::function<void(Sample&, double duration)> samples = nullptr;
+  std::function<void(StereoFrame&)> frames = nullptr;
+  bool encoder_frozen = false;  ///< that of motor 2, from half of the session on
 };
-
-std::function<void(Sample&, double)> onFrames(std::function<void(StereoFrame&)> change) {
-  return [change = std::move(change)](Sample& sample, double) {
-    if (auto* frame = std::get_if<StereoFrame>(&sample)) change(*frame);
-  };
-}
 
 void shiftStamp(StereoFrame& frame, double by) {
   frame.t += by;
@@ -57,25 +53,13 @@ std::vector<Fault> faults() {
   all.push_back({"none", {}});
   all.push_back({"nominal pulley radii", {"transmission"}, false});
   all.push_back({"cameras rotated by 3°", {"transmission", "refused"}, true, base::toRadians(3.0)});
-  all.push_back({"stamps 50 ms late", {"transmission"}, true, 0.0, onFrames([](StereoFrame& frame) {
+  all.push_back({"stamps 50 ms late", {"transmission"}, true, 0.0, [](StereoFrame& frame) {
                    shiftStamp(frame, 0.05);
-                 })});
-  all.push_back({"images 300 ms old", {"latency"}, true, 0.0, onFrames([](StereoFrame& frame) {
-                   shiftStamp(frame, -0.3);
-                 })});
-  all.push_back(
-      {"marker hidden 60 %", {"detection_left", "detection_right"}, true, 0.0, onFrames(hideMarker)});
-  all.push_back({"encoder 2 frozen",
-                 {"encoders"},
-                 true,
-                 0.0,
-                 [held = std::numeric_limits<double>::quiet_NaN()](Sample& sample, double duration) mutable {
-                   auto* motor = std::get_if<tracking::MotorSample>(&sample);
-                   if (!motor || motor->t < 0.5 * duration) return;
-                   if (std::isnan(held)) held = motor->position(1);
-                   motor->position(1) = held;
-                   motor->velocity(1) = 0.0;
                  }});
+  all.push_back(
+      {"images 300 ms old", {"latency"}, true, 0.0, [](StereoFrame& frame) { shiftStamp(frame, -0.3); }});
+  all.push_back({"marker hidden 60 %", {"detection_left", "detection_right"}, true, 0.0, hideMarker});
+  all.push_back({"encoder 2 frozen", {"encoders"}, true, 0.0, nullptr, true});
   return all;
 }
 
@@ -84,22 +68,32 @@ struct Candidate {
   tracking::TrackingPipeline pipeline;
   robot::Description robot;
   double memory;
+  live::MotorFailures failures;
   tracking::TrackReport report;
 
-  void take(Sample sample, double duration) {
-    if (fault.samples) fault.samples(sample, duration);
+  void take(Sample sample) {
+    if (auto* frame = std::get_if<StereoFrame>(&sample); frame && fault.frames) fault.frames(*frame);
+    if (auto* motor = std::get_if<tracking::MotorSample>(&sample)) failures.apply(*motor);
     report.add(pipeline.step(sample));
   }
 };
 
-Candidate candidateOf(const tracking::SourceInfo& info, const simulation::Truth& truth, Fault fault) {
-  tracking::SourceInfo believed = info;
-  if (fault.true_radii) believed.robot = withTrueRadii(info.robot, truth);
-  if (believed.base_from_camera)
-    believed.base_from_camera =
-        Eigen::AngleAxisd(fault.cameras_rotated, Eigen::Vector3d::UnitZ()) * *believed.base_from_camera;
-  const tracking::TrackingOptions options = tracking::trackingOptionsOf(believed);
-  return {std::move(fault), tracking::makePipeline(believed, options), believed.robot, options.memory, {}};
+Candidate candidateOf(const tracking::SourceInfo& info, const simulation::Truth& truth, double duration,
+                      Fault fault) {
+  tracking::SourceInfo assumed = info;
+  if (fault.true_radii) assumed.robot = withTrueRadii(info.robot, truth);
+  if (assumed.base_from_camera)
+    assumed.base_from_camera =
+        Eigen::AngleAxisd(fault.cameras_rotated, Eigen::Vector3d::UnitZ()) * *assumed.base_from_camera;
+  const tracking::TrackingOptions options = tracking::trackingOptionsOf(assumed);
+  std::vector<live::MotorFailure> failures;
+  if (fault.encoder_frozen) failures.push_back({1, 0.5 * duration, tracking::MotorFault::kFrozen});
+  return {std::move(fault),
+          tracking::makePipeline(assumed, options),
+          assumed.robot,
+          options.memory,
+          live::MotorFailures(failures),
+          {}};
 }
 
 /// What one session of one fault adds to its case.
@@ -118,10 +112,10 @@ std::vector<Outcome> session(const HealthStudyOptions& options, std::uint64_t se
   simulation::SimulatedSource source(simulated);
   std::vector<Candidate> candidates;
   for (Fault& fault : faults())
-    candidates.push_back(candidateOf(source.info(), simulated.truth, std::move(fault)));
+    candidates.push_back(candidateOf(source.info(), simulated.truth, options.duration, std::move(fault)));
   Sample sample;
   for (std::uint64_t count = 0; !progress.cancelled() && source.next(sample); ++count) {
-    for (Candidate& candidate : candidates) candidate.take(sample, options.duration);
+    for (Candidate& candidate : candidates) candidate.take(sample);
     if (count % 256 == 0)
       progress.report(std::min(1.0, tracking::arrivalOf(sample) / options.duration), "tracking");
   }

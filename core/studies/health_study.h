@@ -17,7 +17,7 @@ namespace capstan::studies {
 struct HealthStudyOptions {
   std::string truth = "default";  ///< see simulation::SimulationRequest::truth
   double duration = 60.0;         ///< of each session [s]
-  std::uint64_t seed = 21;        ///< of the first session; the limits were chosen on seeds 1 to 20
+  std::uint64_t seed = 21;        ///< of the first session; the limits were chosen on seeds 1 to 10
   int sessions = 20;              ///< sessions per fault
   int threads = 2;                ///< number of worker threads; the result does not depend on it
 };

@@ -16,11 +16,10 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 Snapshot emptySnapshot() {
   Snapshot s;
-  for (Vector3d* v :
-       {&s.q_motor, &s.dq_motor, &s.q_link_kin, &s.q_link_cam, &s.q_link_cam_sigma, &s.q_link_ukf,
-        &s.dq_link_ukf, &s.q_link_ukf_sigma, &s.q_link_true, &s.q_link_true_cam, &s.cable_stretch,
-        &s.cable_tension, &s.tip_in_camera, &s.tip_cam, &s.tip_kin_cam, &s.tip_kin, &s.tip_ukf,
-        &s.innovation, &s.innovation_sigma})
+  for (Vector3d* v : {&s.q_motor, &s.dq_motor, &s.q_link_kin, &s.q_link_cam, &s.q_link_cam_sigma,
+                      &s.q_link_ukf, &s.dq_link_ukf, &s.q_link_ukf_sigma, &s.q_link_true, &s.q_link_true_cam,
+                      &s.cable_stretch, &s.cable_tension, &s.tip_in_camera, &s.tip_cam, &s.tip_kin_cam,
+                      &s.tip_kin, &s.tip_ukf, &s.innovation, &s.innovation_sigma})
     v->setConstant(kNan);
   s.tip_in_camera_covariance.setConstant(kNan);
   s.tip_ukf_covariance.setConstant(kNan);

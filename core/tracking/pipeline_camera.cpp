@@ -112,7 +112,8 @@ void TrackingPipeline::Impl::observeTip(const Vector3d& tip, const Matrix3d& cov
   }
   const bool whole = slow && watch_.unknown() == 0;
   const auto of_tip = whole ? std::optional(slow_->innovation(*slow)) : std::nullopt;
-  const auto of_joints = whole ? std::nullopt : std::optional(*filter_.peek(t, positions_, seen->position, root));
+  const auto of_joints =
+      whole ? std::nullopt : std::optional(*filter_.peek(t, positions_, seen->position, root));
   snapshot_.nis = whole ? of_tip->nis : of_joints->nis;
   const bool accepted = accept(t, snapshot_.nis, *seen, corrected(*kinematic));
   snapshot_.gate = accepted ? Gate::kOpen : Gate::kJump;

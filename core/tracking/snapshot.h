@@ -71,7 +71,7 @@ struct Snapshot {
 
   TransmissionEstimate transmission;  ///< estimate of the augmented filter; else empty
 
-  double nis = 0.0;            ///< NIS of the last update
+  double nis = 0.0;  ///< NIS of the last update
   /// Innovation of the joints at the newest accepted camera sample, q_cam minus its prediction [rad, rad, m],
   /// and the standard deviation that the filter predicts for it; NaN where the sample was not accepted.
   Eigen::Vector3d innovation, innovation_sigma;

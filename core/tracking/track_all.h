@@ -44,9 +44,9 @@ struct TrackReport {
   void add(const Snapshot& snapshot);
   double gateShare(Gate gate) const;     ///< share of camera samples; NaN without any
   double detectionRate(int side) const;  ///< share of frames with a marker, 0 left, 1 right
-  double nisMean() const;   ///< mean NIS of accepted camera samples over its 3 degrees of freedom; NaN: none
+  double nisMean() const;  ///< mean NIS of accepted camera samples over its 3 degrees of freedom; NaN: none
   double rayNisMean() const;  ///< mean NIS of the ray updates over their 2 degrees of freedom; NaN: none
-  double neesMean() const;  ///< mean position NEES over its 3 degrees of freedom; NaN: no reference
+  double neesMean() const;    ///< mean position NEES over its 3 degrees of freedom; NaN: no reference
 
  private:
   /// Computes the increase of a running total of the pipeline from snapshot to snapshot.

@@ -54,7 +54,7 @@ class TransmissionEstimator {
   struct Innovation {
     Eigen::Vector3d value;       ///< innovation of the tip [m]
     Eigen::Matrix3d covariance;  ///< predicted covariance of value [m²]
-    double nis;             ///< NIS under the predicted covariance: chi-square, 3 degrees of freedom
+    double nis;                  ///< NIS under the predicted covariance: chi-square, 3 degrees of freedom
   };
   static constexpr double kMostSigmas = 6.0;
   static constexpr double kHardest = 5.0;

@@ -118,7 +118,7 @@ class BoardFinder::Markers {
     return found;
   }
 
-  cv::Point3f place(int id) const {
+  cv::Point3f position(int id) const {
     if (charuco_) return charuco_->chessboardCorners[static_cast<std::size_t>(id)];
     return grid_->objPoints[static_cast<std::size_t>(id / kCornersOfMarker)]
                            [static_cast<std::size_t>(id % kCornersOfMarker)];
@@ -156,8 +156,8 @@ std::optional<BoardCorners> BoardFinder::find(const cv::Mat& grey) const {
   return markers_ ? markers_->find(grey) : findChessboard(grey, options_);
 }
 
-cv::Point3f BoardFinder::place(int id) const {
-  if (markers_) return markers_->place(id);
+cv::Point3f BoardFinder::position(int id) const {
+  if (markers_) return markers_->position(id);
   return {static_cast<float>(id % options_.board_columns * options_.square_size),
           static_cast<float>(id / options_.board_columns * options_.square_size), 0.0F};
 }
@@ -170,7 +170,7 @@ BoardPair BoardFinder::common(const BoardCorners& left, const BoardCorners& righ
     } else if (right.ids[j] < left.ids[i]) {
       ++j;
     } else {
-      pair.points.push_back(place(left.ids[i]));
+      pair.points.push_back(position(left.ids[i]));
       pair.left.push_back(left.pixels[i++]);
       pair.right.push_back(right.pixels[j++]);
     }

@@ -38,7 +38,7 @@ class BoardFinder {
   /// Corners of the board in an 8-bit grey image; none: the board was not found.
   std::optional<BoardCorners> find(const cv::Mat& grey) const;
   /// Position of a corner in the board's plane [m].
-  cv::Point3f place(int id) const;
+  cv::Point3f position(int id) const;
   BoardPair common(const BoardCorners& left, const BoardCorners& right) const;
 
  private:

@@ -6,9 +6,9 @@
 
 namespace capstan::vision {
 
-void BoardSizeVotes::look(const cv::Mat& grey) {
+void BoardSizeVotes::observe(const cv::Mat& grey) {
   if (grey.empty()) return;
-  ++looks_;
+  ++images_seen_;
   if (const auto size = chessboardSize(grey)) ++votes_[{size->width, size->height}];
 }
 
@@ -20,7 +20,7 @@ cv::Size BoardSizeVotes::expected() const {
 std::optional<cv::Size> BoardSizeVotes::other() const {
   const auto best = std::max_element(votes_.begin(), votes_.end(),
                                      [](const auto& a, const auto& b) { return a.second < b.second; });
-  if (best == votes_.end() || best->second < 2 || 2 * best->second <= looks_) return std::nullopt;
+  if (best == votes_.end() || best->second < 2 || 2 * best->second <= images_seen_) return std::nullopt;
   const cv::Size size(best->first.first, best->first.second);
   return size == expected() ? std::nullopt : std::optional(size);
 }

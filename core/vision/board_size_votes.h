@@ -16,9 +16,9 @@ class BoardSizeVotes {
   explicit BoardSizeVotes(const CalibrationOptions& options) : options_(options) {}
 
   /// False after enough images, and for boards of markers.
-  bool wanted() const { return options_.board == BoardKind::kChessboard && looks_ < kLooks; }
-  /// Looks at an 8-bit grey image; an empty one does not count.
-  void look(const cv::Mat& grey);
+  bool undecided() const { return options_.board == BoardKind::kChessboard && images_seen_ < kImages; }
+  /// Takes an 8-bit grey image; an empty one does not count.
+  void observe(const cv::Mat& grey);
   /// Size of the board that most images show, columns × rows of inner corners, where it is not the expected
   /// one; none: no clear majority of at least two.
   std::optional<cv::Size> other() const;
@@ -26,12 +26,12 @@ class BoardSizeVotes {
   bool canHold() const;
 
  private:
-  static constexpr int kLooks = 8;
+  static constexpr int kImages = 8;
   cv::Size expected() const;
 
   CalibrationOptions options_;
   std::map<std::pair<int, int>, int> votes_;
-  int looks_ = 0;
+  int images_seen_ = 0;
 };
 
 }  // namespace capstan::vision

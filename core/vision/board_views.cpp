@@ -73,6 +73,15 @@ CalibrationInput findStereoPairs(const fs::path& folder) {
   return input;
 }
 
+void addCorners(BoardPair pair, const CalibrationOptions& options, CalibrationView view, BoardViews& views) {
+  view.smallest_spacing =
+      std::min(smallestSpacing(pair.points, pair.left), smallestSpacing(pair.points, pair.right));
+  view.crowded = view.smallest_spacing < kRoom * options.corner_window;
+  views.seen.push_back(views.views.size());
+  views.pairs.push_back(std::move(pair));
+  views.views.push_back(std::move(view));
+}
+
 void addPair(const cv::Mat& left, const cv::Mat& right, const BoardFinder& finder,
              const CalibrationOptions& options, CalibrationView view, BoardViews& views, bool search) {
   if (views.size.empty()) views.size = !left.empty() ? left.size() : right.size();
@@ -94,11 +103,7 @@ void addPair(const cv::Mat& left, const cv::Mat& right, const BoardFinder& finde
     } else if (!pair.enough()) {
       view.fault = ViewFault::kTooFewCorners;
     } else {
-      view.smallest_spacing =
-          std::min(smallestSpacing(pair.points, pair.left), smallestSpacing(pair.points, pair.right));
-      view.crowded = view.smallest_spacing < kRoom * options.corner_window;
-      views.seen.push_back(views.views.size());
-      views.pairs.push_back(std::move(pair));
+      return addCorners(std::move(pair), options, std::move(view), views);
     }
   }
   views.views.push_back(std::move(view));
@@ -110,8 +115,8 @@ BoardViews findBoards(const CalibrationInput& input, const CalibrationOptions& o
   const BoardFinder finder(options);
   const std::size_t pairs = input.left.size();
   BoardSizeVotes votes(options);
-  for (std::size_t i = 0; other && i < pairs && votes.wanted() && !progress.cancelled(); ++i)
-    votes.look(cv::imread(input.left[i].string(), cv::IMREAD_GRAYSCALE));
+  for (std::size_t i = 0; other && i < pairs && votes.undecided() && !progress.cancelled(); ++i)
+    votes.observe(cv::imread(input.left[i].string(), cv::IMREAD_GRAYSCALE));
   if (other) *other = votes.other();
   for (std::size_t i = 0; i < pairs && !progress.cancelled(); ++i) {
     CalibrationView view;

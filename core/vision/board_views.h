@@ -29,6 +29,9 @@ struct BoardViews {
   }
 };
 
+/// Adds the corners that were found in a pair of images to `views`.
+void addCorners(BoardPair pair, const CalibrationOptions& options, CalibrationView view, BoardViews& views);
+
 /// Adds a pair of 8-bit grey images to `views`. The first one sets the size. `search`: false where the board
 /// is known not to be there.
 void addPair(const cv::Mat& left, const cv::Mat& right, const BoardFinder& finder,

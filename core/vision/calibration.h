@@ -23,7 +23,7 @@ enum class ViewFault {
   kBoardInNeither,
   kTooFewCorners,
   kBadView,
-  kLeftOut
+  kExcluded
 };
 
 /// Boards: a chessboard; a chessboard whose white squares hold markers (ChArUco), which may be seen in part;
@@ -140,7 +140,7 @@ struct capstan::base::NamesOf<capstan::vision::ViewFault> {
                                        std::pair{F::kBoardNotInRight, "board not seen in the right image"},
                                        std::pair{F::kBoardInNeither, "board seen in neither image"},
                                        std::pair{F::kTooFewCorners, "too few corners seen by both cameras"},
-                                       std::pair{F::kLeftOut, "left out by hand"},
+                                       std::pair{F::kExcluded, "excluded by hand"},
                                        std::pair{F::kBadView, "outlier: error far above the other views'"}};
 };
 template <>

@@ -38,8 +38,8 @@ bool CalibrationViews::still(const BoardPair& pair, double t) {
   return comparable && moved < kStill * std::hypot(boards_.size.width, boards_.size.height);
 }
 
-CalibrationViews::Look CalibrationViews::look(const cv::Mat& left, const cv::Mat& right, double t) {
-  Look seen;
+CalibrationViews::Observation CalibrationViews::observe(const cv::Mat& left, const cv::Mat& right, double t) {
+  Observation seen;
   if (left.empty() || right.empty()) return seen;
   const cv::Mat grey_left = greyOf(left), grey_right = greyOf(right);
   if (boards_.size.empty()) boards_.size = grey_left.size();
@@ -47,7 +47,7 @@ CalibrationViews::Look CalibrationViews::look(const cv::Mat& left, const cv::Mat
     seen.verdict = Verdict::kWrongSize;
     return seen;
   }
-  if (views().empty() && votes_.wanted()) votes_.look(grey_left);  // cheaper than a search in vain
+  if (views().empty() && votes_.undecided()) votes_.observe(grey_left);  // cheaper than a search in vain
   if (!votes_.canHold()) return seen;
   seen.left = finder_->find(grey_left);
   if (seen.left) seen.right = finder_->find(grey_right);
@@ -66,7 +66,7 @@ CalibrationViews::Look CalibrationViews::look(const cv::Mat& left, const cv::Mat
   CalibrationView view;
   view.left = fmt::format("left{:02}.png", views().size() + 1);
   view.right = fmt::format("right{:02}.png", views().size() + 1);
-  addPair(grey_left, grey_right, *finder_, options_, view, boards_);
+  addCorners(pair, options_, view, boards_);
   for (const std::size_t side : {0U, 1U}) shapes_[side].push_back(shapes[side]);
   images_.push_back({grey_left.clone(), grey_right.clone()});
   return seen;
@@ -91,11 +91,11 @@ void CalibrationViews::addFiles(const CalibrationInput& input, base::Progress& p
 
 bool CalibrationViews::usable(std::size_t view) const {
   const ViewFault fault = boards_.views[view].fault;
-  return fault == ViewFault::kNone || fault == ViewFault::kLeftOut;
+  return fault == ViewFault::kNone || fault == ViewFault::kExcluded;
 }
 
-void CalibrationViews::leaveOut(std::size_t view, bool out) {
-  if (usable(view)) boards_.views[view].fault = out ? ViewFault::kLeftOut : ViewFault::kNone;
+void CalibrationViews::exclude(std::size_t view, bool out) {
+  if (usable(view)) boards_.views[view].fault = out ? ViewFault::kExcluded : ViewFault::kNone;
 }
 
 BoardViews CalibrationViews::chosen() const {

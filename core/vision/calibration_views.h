@@ -23,7 +23,7 @@ class CalibrationViews {
   static constexpr double kApart = 0.2, kStill = 0.004;
 
   enum class Verdict { kTaken, kNotSeen, kTooFewCorners, kMoving, kSimilar, kWrongSize };
-  struct Look {
+  struct Observation {
     Verdict verdict = Verdict::kNotSeen;
     std::optional<BoardCorners> left, right;  ///< what was found, for overlays
   };
@@ -34,15 +34,15 @@ class CalibrationViews {
   const CalibrationOptions& options() const { return options_; }
   /// Looks for the board in a pair of 8-bit images, grey or BGR, of time t [s], and takes the view if it is
   /// new.
-  Look look(const cv::Mat& left, const cv::Mat& right, double t);
+  Observation observe(const cv::Mat& left, const cv::Mat& right, double t);
   /// Adds pairs of image files without these rules; a chessboard of another size than expected is named.
   void addFiles(const CalibrationInput& input, base::Progress& progress);
 
   /// All views; those of files that cannot be used, too.
   const std::vector<CalibrationView>& views() const { return boards_.views; }
   bool usable(std::size_t view) const;
-  /// Leaves a view out of the calibration, or takes it in again.
-  void leaveOut(std::size_t view, bool out);
+  /// Excludes a view from the calibration, or includes it again.
+  void exclude(std::size_t view, bool out);
   std::size_t used() const { return chosen().seen.size(); }
   /// Size of the chessboard that the images show instead of the expected one; none: not known.
   std::optional<cv::Size> otherBoard() const { return other_ ? other_ : votes_.other(); }

@@ -178,20 +178,20 @@ void load(Watch& app, const QString& folder, double seconds, int points) {
   std::printf("full load for %.0f s, %d points a curve:\n", wall, points);
   const std::vector<double> zoomed(app.intervals.begin() + static_cast<std::ptrdiff_t>(alone.size()),
                                    app.intervals.end());
-  std::printf("  frames of the cameras' view   %6.1f per second       (wanted: at least 25)\n",
+  std::printf("  frames of the cameras' view   %6.1f per second       (target: at least 25)\n",
               static_cast<double>(app.intervals.size()) / wall);
-  std::printf("  between frames, 99 %%          %6.1f ms, median %.1f ms  (wanted: at most 50 ms)\n",
+  std::printf("  between frames, 99 %%          %6.1f ms, median %.1f ms  (target: at most 50 ms)\n",
               quantile(alone, 0.99), quantile(alone, 0.5));
   std::printf(
       "    while the plots are zoomed  %6.1f ms, median %.1f ms  (four zooms over all points per second)\n",
       quantile(zoomed, 0.99), quantile(zoomed, 0.5));
   std::printf(
-      "  input to paint, 99 %%          %6.1f ms, median %.1f ms  (wanted: at most 100 ms; %zu inputs)\n",
+      "  input to paint, 99 %%          %6.1f ms, median %.1f ms  (target: at most 100 ms; %zu inputs)\n",
       quantile(app.input_to_paint, 0.99), quantile(app.input_to_paint, 0.5), app.input_to_paint.size());
   std::printf("  session time over wall time   %6.3f                 (1: nothing waits)\n",
               (status.t - from) / wall);
   if (status.recorder)
-    std::printf("  recorded rows                 %llu of %llu, %llu dropped  (wanted: 0 dropped)\n",
+    std::printf("  recorded rows                 %llu of %llu, %llu dropped  (target: 0 dropped)\n",
                 static_cast<unsigned long long>(status.recorder->written),
                 static_cast<unsigned long long>(status.recorder->queued),
                 static_cast<unsigned long long>(status.recorder->dropped));
@@ -238,7 +238,7 @@ void memory(const QString& folder, int cycles, double minutes) {
   }
   if (cycles > warm)
     std::printf(
-        "memory over %d cycles of a 10-minute session: %+.1f MB after the first %d (wanted: at most +5)\n",
+        "memory over %d cycles of a 10-minute session: %+.1f MB after the first %d (target: at most +5)\n",
         cycles - warm, residentMegabytes() - at_first, warm);
   if (minutes <= 0.0) return;
   window.bar().setSpeed(1.0);
@@ -253,7 +253,7 @@ void memory(const QString& folder, int cycles, double minutes) {
       std::printf("  after %2d minutes %7.1f MB\n", minute, residentMegabytes()), std::fflush(stdout);
   }
   std::printf(
-      "memory over %.0f minutes of running: %+.1f MB (wanted: at most +5; the plots' own memory is taken at "
+      "memory over %.0f minutes of running: %+.1f MB (target: at most +5; the plots' own memory is taken at "
       "the start)\n",
       minutes, residentMegabytes() - begin);
 }

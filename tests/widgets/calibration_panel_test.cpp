@@ -13,6 +13,7 @@
 #include "core/vision/rig_file.h"
 #include "tests/core/vision/board_for_tests.h"
 #include "tests/core/vision/rig_for_tests.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/widgets/picture.h"
 #include "widgets/panels/calibration/board_form.h"
 
@@ -95,7 +96,7 @@ TEST_F(CalibrationPanelTest, LeadsFromViewsToFiles) {
   fit();
   EXPECT_EQ(panel_.report()->views_used, static_cast<int>(views) - 1);
 
-  const test::Folder folder("calibration_panel");
+  const test::TemporaryFolder folder;
   ASSERT_TRUE(panel_.save(QString::fromStdString(folder.path().string()))) << panel_.message().toStdString();
   const vision::StereoRig read = vision::readRig(folder.path());
   EXPECT_NEAR(read.left.fx, panel_.report()->rig.left.fx, 1e-6);
@@ -106,7 +107,7 @@ TEST_F(CalibrationPanelTest, LeadsFromViewsToFiles) {
 }
 
 TEST_F(CalibrationPanelTest, AFolderWithAnotherBoardOffersItsSize) {
-  const test::Folder folder("calibration_folder");
+  const test::TemporaryFolder folder;
   for (int i = 0; i < 5; ++i) {
     const auto pair = frame(board(8, 6), test::boardPose(board(8, 6), i, 5));
     cv::imwrite((folder.path() / ("left" + std::to_string(i) + ".png")).string(), pair.left);

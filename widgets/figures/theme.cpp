@@ -143,6 +143,11 @@ QFont numberFont(double points, bool bold) {
   return font;
 }
 
+QString noticeStyle(const Theme& theme, const QColor& edge) {
+  return QStringLiteral("background:%1; border-left:4px solid %2; color:%3;")
+      .arg(theme.raised.name(), edge.name(), theme.text.name());
+}
+
 void applyTheme(QApplication& application, const Theme& theme) {
   application.setStyle(QStyleFactory::create("Fusion"));
   QPalette palette;

@@ -53,6 +53,9 @@ struct Theme {
 QFont textFont(double points, bool bold = false);
 QFont numberFont(double points, bool bold = false);
 
+/// Style sheet of a notice: raised background with an edge in `edge` at its left.
+QString noticeStyle(const Theme& theme, const QColor& edge);
+
 /// Sets palette, style sheet and font of the whole program.
 void applyTheme(QApplication& application, const Theme& theme);
 

@@ -49,7 +49,7 @@ TEST(AlignmentTest, FindsTheOffsetToAFractionOfAStep) {
     EXPECT_NEAR(found->offset, clock, 2e-3) << clock;
     EXPECT_GT(found->correlation, 0.95);
     EXPECT_NEAR(found->overlap, 45.0, 0.1);
-    EXPECT_TRUE(found->clear()) << found->rival;
+    EXPECT_TRUE(found->clear()) << found->second_best;
   }
 }
 
@@ -72,7 +72,7 @@ TEST(AlignmentTest, SaysThatMotionsDifferOrRepeat) {
   const auto repeats = alignmentOf(again, again);
   ASSERT_TRUE(repeats);
   EXPECT_TRUE(repeats->same());
-  EXPECT_FALSE(repeats->clear()) << repeats->rival;
+  EXPECT_FALSE(repeats->clear()) << repeats->second_best;
 }
 
 TEST(AlignmentTest, NothingIsSaidOfRestOrOfAnInstant) {

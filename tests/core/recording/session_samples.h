@@ -18,31 +18,14 @@
 #include "core/tracking/snapshot.h"
 #include "core/vision/marker.h"
 #include "tests/support/folders.h"
+#include "tests/support/temporary_folder.h"
 
 /// Made-up samples and files for the session tests.
 namespace capstan::recording::testing {
 
 inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-/// A folder of its own, removed at the end.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "capstan-session-XXXXXX").string();
-    path_ = mkdtemp(name.data());
-  }
-  ~TemporaryFolder() {
-    std::error_code fault;
-    std::filesystem::remove_all(path_, fault);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
+using test::TemporaryFolder;
 
 inline robot::Description raven() {
   return robot::readDescription(test::resourceFile("robots/raven2_left.yaml"));

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <unistd.h>
-
-#include <filesystem>
 #include <numbers>
 #include <opencv2/aruco.hpp>
 #include <opencv2/aruco/charuco.hpp>
@@ -63,23 +60,7 @@ inline BoardPicture pictureOf(const vision::CalibrationOptions& options) {
   return picture;
 }
 
-/// A folder that goes with its object.
-class Folder {
- public:
-  explicit Folder(const std::string& name)
-      : path_(std::filesystem::temp_directory_path() / (name + "_" + std::to_string(::getpid()))) {
-    std::filesystem::create_directories(path_);
-  }
-  ~Folder() { std::filesystem::remove_all(path_); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
-
-/// A camera's view of a board.
+/// Renders images of boards as a camera gives them.
 class BoardCamera {
  public:
   explicit BoardCamera(const vision::Camera& camera) : size_(camera.width, camera.height) {
@@ -118,14 +99,14 @@ class BoardCamera {
 inline Eigen::Isometry3d boardPose(const vision::CalibrationOptions& options, int i, int views,
                                    double reach = 0.06) {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  const double turn = 2.0 * std::numbers::pi * i / views;
-  pose.linear() = (Eigen::AngleAxisd(0.55, Eigen::Vector3d(std::cos(turn), std::sin(turn), 0.0)) *
+  const double angle = 2.0 * std::numbers::pi * i / views;
+  pose.linear() = (Eigen::AngleAxisd(0.55, Eigen::Vector3d(std::cos(angle), std::sin(angle), 0.0)) *
                    Eigen::AngleAxisd(0.1 * (i % 3 - 1), Eigen::Vector3d::UnitZ()))
                       .toRotationMatrix();
   const Eigen::Vector3d middle(0.5 * options.board_columns * options.square_size,
                                0.5 * options.board_rows * options.square_size, 0.0);
-  pose.translation() = Eigen::Vector3d(0.02 + reach * std::cos(2.0 * turn),
-                                       0.7 * reach * std::sin(3.0 * turn), 0.42 + 0.05 * (i % 2)) -
+  pose.translation() = Eigen::Vector3d(0.02 + reach * std::cos(2.0 * angle),
+                                       0.7 * reach * std::sin(3.0 * angle), 0.42 + 0.05 * (i % 2)) -
                        pose.linear() * middle;
   return pose;
 }

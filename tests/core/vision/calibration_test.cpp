@@ -6,13 +6,13 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <numbers>
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "core/base/error.h"
 #include "core/base/random.h"
+#include "tests/core/vision/board_for_tests.h"
 #include "tests/core/vision/rig_for_tests.h"
 #include "tests/support/folders.h"
 
@@ -24,34 +24,6 @@ namespace fs = std::filesystem;
 /// The stereo chessboard images of OpenCV's samples, where they are at hand.
 fs::path openCvStereo() { return test::dataFolder() / "opencv-stereo"; }
 
-/// Picture of a chessboard by casting a ray for each sub-pixel, then a lens's slight blur: no model of ours
-/// but Camera::normalise.
-cv::Mat renderBoard(const Camera& camera, const Eigen::Isometry3d& camera_from_board,
-                    const CalibrationOptions& options, base::Random& random) {
-  constexpr int kFold = 3;
-  const Eigen::Isometry3d board_from_camera = camera_from_board.inverse();
-  const Eigen::Vector3d eye = board_from_camera.translation();
-  const auto shade = [&](double x, double y) {
-    const Eigen::Vector3d ray = board_from_camera.linear() * camera.normalise({x, y}).homogeneous();
-    const Eigen::Vector3d hit = eye - eye.z() / ray.z() * ray;
-    const double u = hit.x() / options.square_size + 1.0, v = hit.y() / options.square_size + 1.0;
-    const bool on = u > 0 && v > 0 && u < options.board_columns + 1 && v < options.board_rows + 1;
-    return on && ((static_cast<int>(u) + static_cast<int>(v)) & 1) == 0 ? 30.0 : 210.0;
-  };
-  cv::Mat image(camera.height, camera.width, CV_8U);
-  for (int y = 0; y < image.rows; ++y)
-    for (int x = 0; x < image.cols; ++x) {
-      double sum = 0.0;
-      for (int j = 0; j < kFold; ++j)
-        for (int i = 0; i < kFold; ++i)
-          sum += shade(x + (i + 0.5) / kFold - 0.5, y + (j + 0.5) / kFold - 0.5);
-      image.at<std::uint8_t>(y, x) =
-          cv::saturate_cast<std::uint8_t>(sum / (kFold * kFold) + random.normal(0, 1.5));
-    }
-  cv::GaussianBlur(image, image, cv::Size(), 0.7);
-  return image;
-}
-
 class RenderedBoards : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -59,19 +31,12 @@ class RenderedBoards : public ::testing::Test {
     fs::create_directories(folder_);
     base::Random random(11);
     const StereoRig rig = testRig();
+    const test::BoardPicture board = test::pictureOf(options());
+    const test::BoardCamera left(rig.left), right(rig.right);
     for (int i = 0; i < kViews; ++i) {
-      Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-      const double turn = 2.0 * std::numbers::pi * i / kViews;
-      pose.linear() = (Eigen::AngleAxisd(0.55, Eigen::Vector3d(std::cos(turn), std::sin(turn), 0.0)) *
-                       Eigen::AngleAxisd(0.1 * (i % 3 - 1), Eigen::Vector3d::UnitZ()))
-                          .toRotationMatrix();
-      const Eigen::Vector3d middle(0.5 * (options().board_columns - 1) * options().square_size,
-                                   0.5 * (options().board_rows - 1) * options().square_size, 0.0);
-      pose.translation() = Eigen::Vector3d(0.02 + 0.05 * std::cos(2 * turn), 0.04 * std::sin(3 * turn),
-                                           0.42 + 0.05 * (i % 2)) -
-                           pose.linear() * middle;
-      cv::imwrite(name("left", i), renderBoard(rig.left, pose, options(), random));
-      cv::imwrite(name("right", i), renderBoard(rig.right, rig.right_from_left * pose, options(), random));
+      const Eigen::Isometry3d pose = test::boardPose(options(), i, kViews);
+      cv::imwrite(name("left", i), left.image(board, pose, random));
+      cv::imwrite(name("right", i), right.image(board, rig.right_from_left * pose, random));
     }
   }
   static void TearDownTestSuite() { fs::remove_all(folder_); }
@@ -92,7 +57,9 @@ class RenderedBoards : public ::testing::Test {
 
 TEST_F(RenderedBoards, GiveTheRigBack) {
   base::Progress progress;
-  const CalibrationReport report = calibrateStereo(findStereoPairs(folder_), options(), progress);
+  CalibrationOptions free = options();
+  free.square_pixels = false;  // the pixels of the test rig are not square
+  const CalibrationReport report = calibrateStereo(findStereoPairs(folder_), free, progress);
   const StereoRig truth = testRig();
   EXPECT_EQ(report.views_used, kViews);
   EXPECT_DOUBLE_EQ(progress.fraction(), 1.0);

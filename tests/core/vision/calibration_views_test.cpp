@@ -12,6 +12,7 @@
 #include "tests/core/vision/board_for_tests.h"
 #include "tests/core/vision/rig_for_tests.h"
 #include "tests/support/folders.h"
+#include "tests/support/temporary_folder.h"
 
 namespace capstan::vision {
 namespace {
@@ -50,8 +51,8 @@ class CalibrationViewsTest : public ::testing::Test {
     CalibrationViews all(options);
     for (int i = 0; i < views; ++i) {
       const auto [left, right] = pair(options, test::boardPose(options, i, views, reach));
-      all.look(left, right, t_ += 0.1);
-      all.look(left, right, t_ += 0.1);
+      all.observe(left, right, t_ += 0.1);
+      all.observe(left, right, t_ += 0.1);
     }
     return all;
   }
@@ -90,23 +91,23 @@ TEST_F(CalibrationViewsTest, AViewIsTakenOnceAndWhenTheBoardStandsStill) {
   const auto first = pair(options, test::boardPose(options, 0, 10));
   const auto other = pair(options, test::boardPose(options, 5, 10));
   CalibrationViews views(options);
-  EXPECT_EQ(views.look(first[0], first[1], 0.0).verdict, Verdict::kMoving) << "nothing to compare with";
-  EXPECT_EQ(views.look(other[0], other[1], 0.1).verdict, Verdict::kMoving);
-  const auto taken = views.look(other[0], other[1], 0.2);
+  EXPECT_EQ(views.observe(first[0], first[1], 0.0).verdict, Verdict::kMoving) << "nothing to compare with";
+  EXPECT_EQ(views.observe(other[0], other[1], 0.1).verdict, Verdict::kMoving);
+  const auto taken = views.observe(other[0], other[1], 0.2);
   EXPECT_EQ(taken.verdict, Verdict::kTaken);
   EXPECT_EQ(taken.left->pixels.size(), 54U);
-  EXPECT_EQ(views.look(other[0], other[1], 0.3).verdict, Verdict::kSimilar);
+  EXPECT_EQ(views.observe(other[0], other[1], 0.3).verdict, Verdict::kSimilar);
   const cv::Mat blank(other[0].size(), CV_8U, cv::Scalar(120));
-  EXPECT_EQ(views.look(other[0], blank, 0.4).verdict, Verdict::kNotSeen);
-  EXPECT_EQ(views.look(cv::Mat(), cv::Mat(), 0.4).verdict, Verdict::kNotSeen);
+  EXPECT_EQ(views.observe(other[0], blank, 0.4).verdict, Verdict::kNotSeen);
+  EXPECT_EQ(views.observe(cv::Mat(), cv::Mat(), 0.4).verdict, Verdict::kNotSeen);
   const cv::Mat small(240, 320, CV_8U, cv::Scalar(120));
-  EXPECT_EQ(views.look(small, small, 0.5).verdict, Verdict::kWrongSize);
+  EXPECT_EQ(views.observe(small, small, 0.5).verdict, Verdict::kWrongSize);
   EXPECT_EQ(views.views().size(), 1U);
   for (const Verdict verdict : {Verdict::kMoving, Verdict::kSimilar, Verdict::kNotSeen, Verdict::kWrongSize})
     EXPECT_FALSE(wordsOf(verdict).empty());
 }
 
-TEST_F(CalibrationViewsTest, AViewThatIsLeftOutDoesNotCount) {
+TEST_F(CalibrationViewsTest, AnExcludedViewDoesNotCount) {
   const CalibrationOptions options = optionsOf(BoardKind::kChessboard, 9, 6);
   CalibrationViews views = collect(options, 8, 0.06);
   const std::size_t used = views.used();
@@ -115,13 +116,13 @@ TEST_F(CalibrationViewsTest, AViewThatIsLeftOutDoesNotCount) {
   const CalibrationReport all = views.calibrate(progress);
   expectRig(all, 0.1);
   EXPECT_EQ(all.views_used, static_cast<int>(used));
-  views.leaveOut(1, true);
+  views.exclude(1, true);
   EXPECT_EQ(views.used(), used - 1);
   EXPECT_EQ(views.corners(1).size(), used - 1);
   const CalibrationReport fewer = views.calibrate(progress);
   EXPECT_EQ(fewer.views_used, static_cast<int>(used) - 1);
   EXPECT_NE(fewer.rig.left.fx, all.rig.left.fx);
-  views.leaveOut(1, false);
+  views.exclude(1, false);
   EXPECT_EQ(views.calibrate(progress).rig.left.fx, all.rig.left.fx);
 }
 
@@ -130,7 +131,7 @@ TEST_F(CalibrationViewsTest, ARunningCameraNamesAnotherBoardToo) {
   CalibrationViews views(optionsOf(BoardKind::kChessboard, 9, 6));
   for (int i = 0; i < 6 && !views.otherBoard(); ++i) {
     const auto [left, right] = pair(shown, test::boardPose(shown, i, 6));
-    EXPECT_EQ(views.look(left, right, t_ += 0.1).verdict, Verdict::kNotSeen);
+    EXPECT_EQ(views.observe(left, right, t_ += 0.1).verdict, Verdict::kNotSeen);
   }
   EXPECT_EQ(views.otherBoard(), cv::Size(8, 6));
 }
@@ -138,7 +139,7 @@ TEST_F(CalibrationViewsTest, ARunningCameraNamesAnotherBoardToo) {
 TEST_F(CalibrationViewsTest, SavedImagesGiveTheSameCalibration) {
   const CalibrationOptions options = optionsOf(BoardKind::kChessboard, 9, 6);
   const CalibrationViews views = collect(options, 6, 0.06);
-  const test::Folder folder("calibration_views");
+  const test::TemporaryFolder folder;
   views.saveImages(folder.path());
   base::Progress progress;
   const CalibrationReport ours = views.calibrate(progress);
@@ -153,7 +154,7 @@ TEST_F(CalibrationViewsTest, SavedImagesGiveTheSameCalibration) {
 
 TEST_F(CalibrationViewsTest, AChessboardOfAnotherSizeIsNamed) {
   const CalibrationOptions shown = optionsOf(BoardKind::kChessboard, 8, 6);
-  const test::Folder folder("calibration_other");
+  const test::TemporaryFolder folder;
   for (int i = 0; i < 4; ++i) {
     const auto [left, right] = pair(shown, test::boardPose(shown, i, 4));
     cv::imwrite((folder.path() / ("left" + std::to_string(i) + ".png")).string(), left);
@@ -174,7 +175,7 @@ TEST_F(CalibrationViewsTest, AChessboardOfAnotherSizeIsNamed) {
 
 TEST_F(CalibrationViewsTest, ImagesThatWereNotTakenTogetherAreOutliersAndSpoilTheEpipolarLines) {
   const CalibrationOptions options = optionsOf(BoardKind::kChessboard, 9, 6);
-  const test::Folder folder("calibration_apart");
+  const test::TemporaryFolder folder;
   for (int i = 0; i < 9; ++i) {
     const auto [left, right] = pair(options, test::boardPose(options, i, 9));
     cv::imwrite((folder.path() / ("left" + std::to_string(i) + ".png")).string(), left);
@@ -188,7 +189,7 @@ TEST_F(CalibrationViewsTest, ImagesThatWereNotTakenTogetherAreOutliersAndSpoilTh
     EXPECT_EQ(report.views[i].outlying, i == 2 || i == 3) << i << ": " << report.views[i].epipolar_error;
   CalibrationViews views(options);
   views.addFiles(input, progress);
-  for (std::size_t i = 0; i < report.views.size(); ++i) views.leaveOut(i, report.views[i].outlying);
+  for (std::size_t i = 0; i < report.views.size(); ++i) views.exclude(i, report.views[i].outlying);
   const CalibrationReport better = views.calibrate(progress);
   EXPECT_LT(better.epipolar_rms, 0.1);
   EXPECT_GT(report.epipolar_rms, 10.0 * better.epipolar_rms);

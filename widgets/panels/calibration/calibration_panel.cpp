@@ -47,13 +47,13 @@ CalibrationPanel::CalibrationPanel(QWidget* parent) : QWidget(parent) {
   column->addWidget(table_, 2);
   column->addWidget(makeResult());
   connect(form_, &BoardForm::changed, this, &CalibrationPanel::clear);
-  connect(table_, &ViewTable::leftOut, this, &CalibrationPanel::leaveOut);
+  connect(table_, &ViewTable::excluded, this, &CalibrationPanel::exclude);
   connect(other_, &QPushButton::clicked, this, &CalibrationPanel::useOtherBoard);
   for (Job* job : {&look_, &fit_})
     connect(job, &Job::failed, this, [this](const QString& why) { say(why, true); });
   connect(&look_, &Job::ended, this, [this] {
     refresh();
-    look();
+    observeNewest();
   });
   connect(&fit_, &Job::progressed, this, [this](double, const QString& doing) { say(doing + "…"); });
   connect(&fit_, &Job::ended, this, &CalibrationPanel::refresh);
@@ -125,9 +125,7 @@ void CalibrationPanel::say(const QString& text, bool warning) {
   warning_ = warning;
   message_->setText(text);
   message_->setVisible(!text.isEmpty());
-  message_->setStyleSheet(
-      QString("background:%1; border-left:4px solid %2; color:%3;")
-          .arg(theme_.raised.name(), (warning ? theme_.warning : theme_.accent).name(), theme_.text.name()));
+  message_->setStyleSheet(noticeStyle(theme_, warning ? theme_.warning : theme_.accent));
 }
 
 void CalibrationPanel::clear() {
@@ -149,7 +147,7 @@ void CalibrationPanel::setCollecting(bool on) {
   collecting_ = on;
   if (!on) say({});
   refresh();
-  look();
+  observeNewest();
 }
 
 void CalibrationPanel::stop() { setCollecting(false); }
@@ -160,23 +158,23 @@ void CalibrationPanel::showFrames(const tracking::StereoFrame& frame) {
   frame.right.copyTo(frame_[1]);
   frame_t_ = frame.t;
   fresh_ = true;
-  if (collecting_) return look();
+  if (collecting_) return observeNewest();
   for (std::size_t side = 0; side < 2; ++side) pictures_[side]->showImage(frame_[side], std::nullopt);
 }
 
 /// Looks for the board in the newest frame, unless the one before is still being looked at.
-void CalibrationPanel::look() {
+void CalibrationPanel::observeNewest() {
   if (!collecting_ || !fresh_ || busy()) return;
   fresh_ = false;
   struct Result {
     std::shared_ptr<CalibrationViews> views;
-    CalibrationViews::Look seen;
+    CalibrationViews::Observation seen;
     std::array<cv::Mat, 2> frame;
   };
   look_.start(
       [views = std::make_shared<CalibrationViews>(*views_), t = frame_t_,
        frame = std::array{frame_[0].clone(), frame_[1].clone()}](base::Progress&) {
-        const CalibrationViews::Look seen = views->look(frame[0], frame[1], t);
+        const CalibrationViews::Observation seen = views->observe(frame[0], frame[1], t);
         return Result{views, seen, frame};
       },
       [this, before = views_](const Result& result) {
@@ -187,7 +185,8 @@ void CalibrationPanel::look() {
       });
 }
 
-void CalibrationPanel::take(std::shared_ptr<CalibrationViews> views, const CalibrationViews::Look& seen) {
+void CalibrationPanel::take(std::shared_ptr<CalibrationViews> views,
+                            const CalibrationViews::Observation& seen) {
   views_ = std::move(views);
   if (seen.verdict == CalibrationViews::Verdict::kTaken) {
     report_.reset();
@@ -218,9 +217,9 @@ void CalibrationPanel::addFolder(const QString& folder) {
   refresh();
 }
 
-void CalibrationPanel::leaveOut(int view, bool out) {
+void CalibrationPanel::exclude(int view, bool out) {
   auto views = std::make_shared<CalibrationViews>(*views_);
-  views->leaveOut(static_cast<std::size_t>(view), out);
+  views->exclude(static_cast<std::size_t>(view), out);
   views_ = views;
   report_.reset();
   refresh();

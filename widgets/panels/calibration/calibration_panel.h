@@ -53,9 +53,10 @@ class CalibrationPanel : public QWidget {
   QWidget* makeResult();
   void clear();
   void setCollecting(bool on);
-  void look();
-  void take(std::shared_ptr<vision::CalibrationViews> views, const vision::CalibrationViews::Look& seen);
-  void leaveOut(int view, bool out);
+  void observeNewest();
+  void take(std::shared_ptr<vision::CalibrationViews> views,
+            const vision::CalibrationViews::Observation& seen);
+  void exclude(int view, bool out);
   void calibrate();
   void useOtherBoard();
   void refresh();

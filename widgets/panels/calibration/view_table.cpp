@@ -22,7 +22,7 @@ QTableWidgetItem* cell(const QString& text) {
 QString stateOf(const CalibrationView& view, bool fitted) {
   const auto name = base::nameOf(view.fault);
   if (!view.used()) return QString::fromUtf8(name.data(), static_cast<int>(name.size()));
-  if (fitted && view.outlying) return QObject::tr("outlier: leave it out");
+  if (fitted && view.outlying) return QObject::tr("outlier: exclude it");
   return view.crowded ? QObject::tr("used; corners close together") : QObject::tr("used");
 }
 
@@ -42,7 +42,7 @@ ViewTable::ViewTable(QWidget* parent) : QTableWidget(0, kColumns, parent) {
   setSelectionBehavior(QAbstractItemView::SelectRows);
   setMinimumHeight(84);
   connect(this, &QTableWidget::itemChanged, this, [this](QTableWidgetItem* item) {
-    if (!filling_ && item->column() == kView) Q_EMIT leftOut(item->row(), item->checkState() != Qt::Checked);
+    if (!filling_ && item->column() == kView) Q_EMIT excluded(item->row(), item->checkState() != Qt::Checked);
   });
 }
 
@@ -54,7 +54,7 @@ void ViewTable::showViews(const std::vector<CalibrationView>& views, bool fitted
     const CalibrationView& view = views[static_cast<std::size_t>(row)];
     auto* name = cell(QString::fromStdString(view.left));
     name->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-    if (view.used() || view.fault == ViewFault::kLeftOut) {
+    if (view.used() || view.fault == ViewFault::kExcluded) {
       name->setFlags(name->flags() | Qt::ItemIsUserCheckable);
       name->setCheckState(view.used() ? Qt::Checked : Qt::Unchecked);
     }

@@ -7,7 +7,7 @@
 
 namespace capstan::widgets {
 
-/// The views of a calibration: one row each, with its errors in pixels and a box that leaves it out.
+/// The views of a calibration: one row each, with its errors in pixels and a box that excludes it.
 class ViewTable : public QTableWidget {
   Q_OBJECT
 
@@ -17,7 +17,7 @@ class ViewTable : public QTableWidget {
   void showViews(const std::vector<vision::CalibrationView>& views, bool fitted);
 
  signals:
-  void leftOut(int view, bool out);
+  void excluded(int view, bool out);
 
  private:
   bool filling_ = false;

@@ -5,6 +5,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "widgets/figures/axis_style.h"
 #include "widgets/figures/round_ticker.h"
 
 namespace capstan::widgets {
@@ -81,16 +82,7 @@ NisPlot::Joint NisPlot::addJoint(int joint) {
 void NisPlot::setTheme(const Theme& theme) {
   plot_->setBackground(theme.surface);
   for (const Joint& joint : joints_) {
-    for (auto* axis : joint.axes->axes()) {
-      axis->setBasePen(theme.border);
-      axis->setTickPen(theme.border);
-      axis->setTickLabelColor(theme.muted);
-      axis->setLabelColor(theme.muted);
-      axis->setTickLabelFont(numberFont(8.5));
-      axis->setLabelFont(textFont(9.0));
-      axis->grid()->setPen(QPen(theme.grid, 1.0));
-      axis->grid()->setZeroLinePen(QPen(theme.grid, 1.0));
-    }
+    for (auto* axis : joint.axes->axes()) styleAxis(*axis, theme);
     joint.nis->setPen(QPen(theme.text, 1.4));
     joint.nis->setScatterStyle({QCPScatterStyle::ssDisc, theme.text, 3.0});
     QColor band = theme.accent;

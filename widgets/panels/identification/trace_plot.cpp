@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/identification/live_text.h"
+#include "widgets/figures/axis_style.h"
 #include "widgets/figures/round_ticker.h"
 
 namespace capstan::widgets {
@@ -37,16 +38,7 @@ TracePlot::TracePlot(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot) 
 
 void TracePlot::setTheme(const Theme& theme) {
   plot_->setBackground(theme.surface);
-  for (auto* axis : {plot_->xAxis, plot_->yAxis}) {
-    axis->setBasePen(theme.border);
-    axis->setTickPen(theme.border);
-    axis->setTickLabelColor(theme.muted);
-    axis->setLabelColor(theme.muted);
-    axis->setTickLabelFont(numberFont(8.5));
-    axis->setLabelFont(textFont(9.0));
-    axis->grid()->setPen(QPen(theme.grid, 1.0));
-    axis->grid()->setZeroLinePen(QPen(theme.grid, 1.0));
-  }
+  for (auto* axis : {plot_->xAxis, plot_->yAxis}) styleAxis(*axis, theme);
   for (auto* graph : {low_, high_}) graph->setPen(Qt::NoPen);
   high_->setBrush(theme.band());
   QPen ink = theme.pen(Quantity::kUkf);

@@ -154,9 +154,7 @@ void MarkerPanel::say(const QString& text, bool warning) {
   warning_ = warning;
   message_->setText(text);
   message_->setVisible(!text.isEmpty());
-  message_->setStyleSheet(
-      QString("background:%1; border-left:4px solid %2; color:%3;")
-          .arg(theme_.raised.name(), (warning ? theme_.warning : theme_.accent).name(), theme_.text.name()));
+  message_->setStyleSheet(noticeStyle(theme_, warning ? theme_.warning : theme_.accent));
 }
 
 void MarkerPanel::begin(const vision::MarkerOptions& options) {

@@ -52,8 +52,7 @@ CollectPage::CollectPage(QWidget* parent) : QWidget(parent) {
 void CollectPage::setTheme(const Theme& theme) {
   theme_ = theme;
   plot_->setTheme(theme);
-  refusal_->setStyleSheet(QString("background:%1; border-left:4px solid %2; color:%3;")
-                              .arg(theme.raised.name(), theme.fault.name(), theme.text.name()));
+  refusal_->setStyleSheet(noticeStyle(theme, theme.fault));
 }
 
 QString CollectPage::refusal() const { return refusal_->isHidden() ? QString() : refusal_->text(); }

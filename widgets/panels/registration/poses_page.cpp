@@ -150,8 +150,7 @@ QWidget* PosesPage::makeDecision() {
 
 void PosesPage::setTheme(const Theme& theme) {
   theme_ = theme;
-  refusal_->setStyleSheet(QString("background:%1; border-left:4px solid %2; color:%3;")
-                              .arg(theme.raised.name(), theme.warning.name(), theme.text.name()));
+  refusal_->setStyleSheet(noticeStyle(theme, theme.warning));
   closures_->setStyleSheet(QString("color:%1;").arg(theme.muted.name()));
 }
 
