@@ -22,6 +22,11 @@ void addDiagnose(CLI::App& app, ExitCode& exit) {
   command->add_option("--only", arguments->options.only, "effects to consider, by their names in robot files")
       ->delimiter(',');
   command
+      ->add_option("--effort", arguments->options.effort,
+                   "multiplies the limit of the search for causes; 1 is enough for most arms of three joints")
+      ->capture_default_str()
+      ->check(CLI::Range(0.01, 1e6));
+  command
       ->add_option(
           "--towards", arguments->towards,
           "for tip poses: compare the observed poses with the robot's kinematics or with the commands\n"

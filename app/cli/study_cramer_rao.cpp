@@ -17,7 +17,7 @@ using studies::NoiseStudy;
 using studies::NoiseStudyOptions;
 using studies::StatedNoise;
 
-nlohmann::json jsonOf(const CramerRaoStudy& study, const CramerRaoOptions& options) {
+nlohmann::json documentOf(const CramerRaoStudy& study, const CramerRaoOptions& options) {
   nlohmann::json json = {{"runs", study.runs},
                          {"duration", options.duration},
                          {"seed", options.seed},
@@ -40,7 +40,7 @@ nlohmann::json jsonOf(const CramerRaoStudy& study, const CramerRaoOptions& optio
   return json;
 }
 
-nlohmann::json jsonOf(const NoiseStudy& study) {
+nlohmann::json documentOf(const NoiseStudy& study) {
   nlohmann::json variants = nlohmann::json::array();
   for (std::size_t i = 0; i < study.variants.size(); ++i) {
     const auto& variant = study.variants[i];
@@ -89,9 +89,9 @@ StudyReport reportOf(const Studies& studies, const Options& options) {
                     smooth = studies::closenessOf(studies.smooth, options.smooth()),
                     noises = studies::noisesOf(studies.noise, options.noise);
   return {base::markdownOf(matched) + "\n" + base::markdownOf(smooth) + "\n" + base::markdownOf(noises),
-          {{"matched", jsonOf(studies.bound, options.bound)},
-           {"matched_without_friction", jsonOf(studies.smooth, options.smooth())},
-           {"default", jsonOf(studies.noise)}},
+          {{"matched", documentOf(studies.bound, options.bound)},
+           {"matched_without_friction", documentOf(studies.smooth, options.smooth())},
+           {"default", documentOf(studies.noise)}},
           {{"cramer-rao.csv", base::csvOf(matched)},
            {"cramer-rao-without-friction.csv", base::csvOf(smooth)},
            {"cramer-rao-noise.csv", base::csvOf(noises)}}};

@@ -15,7 +15,7 @@ using studies::FilterResult;
 using studies::FilterStudy;
 using studies::FilterStudyOptions;
 
-nlohmann::json jsonOf(const FilterResult& result) {
+nlohmann::json documentOf(const FilterResult& result) {
   return {{"ukf", toJson(result.ukf)},
           {"nis", result.nis},
           {"nis_consistent_share", result.consistent},
@@ -24,7 +24,7 @@ nlohmann::json jsonOf(const FilterResult& result) {
           {"offset", toJson(result.transmission.offset)}};
 }
 
-nlohmann::json jsonOf(const FilterStudy& study) {
+nlohmann::json documentOf(const FilterStudy& study) {
   nlohmann::json comparisons = nlohmann::json::array();
   for (const auto& one : study.comparisons)
     comparisons.push_back({{"recording", one.recording},
@@ -33,8 +33,8 @@ nlohmann::json jsonOf(const FilterStudy& study) {
                            {"occlusion", one.occlusion / 100.0},
                            {"kinematic", toJson(one.kinematic)},
                            {"camera", toJson(one.camera)},
-                           {"six_state", jsonOf(one.six_state)},
-                           {"augmented", jsonOf(one.augmented)}});
+                           {"six_state", documentOf(one.six_state)},
+                           {"augmented", documentOf(one.augmented)}});
   return {{"comparisons", comparisons}};
 }
 
@@ -51,7 +51,7 @@ ExitCode run(FilterStudyOptions& options, const std::vector<std::string>& files,
       [](const FilterStudy& study) { return !study.comparisons.empty(); },
       [&](const FilterStudy& study) {
         const base::Table table = studies::comparisonsOf(study);
-        return StudyReport{base::markdownOf(table), jsonOf(study), {{"filter.csv", base::csvOf(table)}}};
+        return StudyReport{base::markdownOf(table), documentOf(study), {{"filter.csv", base::csvOf(table)}}};
       });
 }
 

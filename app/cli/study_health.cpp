@@ -15,7 +15,7 @@ using studies::HealthStudy;
 using studies::HealthStudyCase;
 using studies::HealthStudyOptions;
 
-nlohmann::json jsonOf(const HealthStudy& study) {
+nlohmann::json documentOf(const HealthStudy& study) {
   nlohmann::json cases = nlohmann::json::array();
   for (const HealthStudyCase& one : study.cases) {
     nlohmann::json verdicts;
@@ -42,7 +42,7 @@ ExitCode run(HealthStudyOptions& options, const StudyArguments& arguments) {
       [](const HealthStudy& study) { return !study.cases.empty(); },
       [&](const HealthStudy& study) {
         const base::Table table = studies::casesOf(study);
-        return StudyReport{base::markdownOf(table), jsonOf(study), {{"health.csv", base::csvOf(table)}}};
+        return StudyReport{base::markdownOf(table), documentOf(study), {{"health.csv", base::csvOf(table)}}};
       });
 }
 

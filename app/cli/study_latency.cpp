@@ -17,7 +17,7 @@ nlohmann::json rmsJson(const std::array<Eigen::Vector3d, 3>& rms) {
   return {{"as_stamped", toJson(rms[0])}, {"corrected", toJson(rms[1])}, {"true_delay", toJson(rms[2])}};
 }
 
-nlohmann::json jsonOf(const LatencyStudy& study, const LatencyStudyOptions& options) {
+nlohmann::json documentOf(const LatencyStudy& study, const LatencyStudyOptions& options) {
   nlohmann::json trials = nlohmann::json::array();
   for (const auto& trial : study.trials)
     trials.push_back({{"truth", trial.truth},
@@ -47,7 +47,7 @@ ExitCode run(LatencyStudyOptions& options, const StudyArguments& arguments) {
                           gain = studies::gainOf(study, options);
         return StudyReport{
             base::markdownOf(estimates) + "\n" + base::markdownOf(gain),
-            jsonOf(study, options),
+            documentOf(study, options),
             {{"latency-estimates.csv", base::csvOf(estimates)}, {"latency-errors.csv", base::csvOf(gain)}}};
       });
 }
@@ -57,10 +57,10 @@ ExitCode run(LatencyStudyOptions& options, const StudyArguments& arguments) {
 void addLatencyStudy(CLI::App& study, ExitCode& exit) {
   auto options = std::make_shared<LatencyStudyOptions>();
   auto arguments = std::make_shared<StudyArguments>();
-  CLI::App* command = study.add_subcommand(
-      "latency",
-      "Compare the identified delay of the camera's clock with the true one, and the errors with and without\n"
-      "its correction");
+  CLI::App* command = study.add_subcommand("latency",
+                                           "Compare the identified delay of the camera's clock with the true "
+                                           "one, and the errors with and without\n"
+                                           "its correction");
   command->add_option("--delays", options->delays, "true delays of the time stamps [s]")
       ->capture_default_str()
       ->check(CLI::Range(-0.2, 0.2));

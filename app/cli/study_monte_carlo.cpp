@@ -38,7 +38,7 @@ nlohmann::json recoveries(const MonteCarloStudy& study) {
   return all;
 }
 
-nlohmann::json jsonOf(const MonteCarloStudy& study, const MonteCarloOptions& options) {
+nlohmann::json documentOf(const MonteCarloStudy& study, const MonteCarloOptions& options) {
   nlohmann::json samples = nlohmann::json::array();
   for (const auto& sample : study.samples) {
     nlohmann::json one = {{"seed", sample.seed}, {"seconds", sample.seconds}};
@@ -63,7 +63,7 @@ nlohmann::json jsonOf(const MonteCarloStudy& study, const MonteCarloOptions& opt
 
 StudyReport reportOf(const MonteCarloStudy& study, const MonteCarloOptions& options) {
   const base::Table table = studies::recoveriesOf(study, options);
-  return {base::markdownOf(table), jsonOf(study, options), {{"monte-carlo.csv", base::csvOf(table)}}};
+  return {base::markdownOf(table), documentOf(study, options), {{"monte-carlo.csv", base::csvOf(table)}}};
 }
 
 ExitCode run(MonteCarloOptions& options, const StudyArguments& arguments) {

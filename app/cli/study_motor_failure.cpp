@@ -30,7 +30,7 @@ nlohmann::json normalsOf(const studies::MotorFailureResult& cell) {
   return all;
 }
 
-nlohmann::json jsonOf(const MotorFailureStudy& study, const MotorFailureStudyOptions& options) {
+nlohmann::json documentOf(const MotorFailureStudy& study, const MotorFailureStudyOptions& options) {
   nlohmann::json cells = nlohmann::json::array();
   for (const auto& cell : study.cells)
     cells.push_back({{"motor", cell.motor == 3 ? nlohmann::json("all") : nlohmann::json(cell.motor + 1)},
@@ -67,7 +67,7 @@ ExitCode run(MotorFailureStudyOptions& options, const std::string& csv, const St
         }
         const std::string details = base::csvOf(studies::detailsOf(study, options));
         if (!csv.empty()) base::writeTextFile(csv, details);
-        report.json = jsonOf(study, options);
+        report.json = documentOf(study, options);
         report.files = {{"motor-failure.csv", details}};
         return report;
       });

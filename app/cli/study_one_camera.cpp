@@ -15,7 +15,7 @@ using studies::OneCameraResult;
 using studies::OneCameraStudy;
 using studies::OneCameraStudyOptions;
 
-nlohmann::json jsonOf(const OneCameraResult& result) {
+nlohmann::json documentOf(const OneCameraResult& result) {
   return {{"ukf", toJson(result.all)},
           {"ukf_blocked", toJson(result.blocked)},
           {"nis", result.nis},
@@ -23,15 +23,15 @@ nlohmann::json jsonOf(const OneCameraResult& result) {
           {"ray_share", result.ray_share}};
 }
 
-nlohmann::json jsonOf(const OneCameraStudy& study) {
+nlohmann::json documentOf(const OneCameraStudy& study) {
   nlohmann::json comparisons = nlohmann::json::array();
   for (const auto& one : study.comparisons)
     comparisons.push_back({{"blocked", one.share / 100.0},
                            {"robot", one.robot},
                            {"filter", one.filter},
                            {"kinematic", toJson(one.kinematic)},
-                           {"hard_switch", jsonOf(one.hard_switch)},
-                           {"ray", jsonOf(one.ray)}});
+                           {"hard_switch", documentOf(one.hard_switch)},
+                           {"ray", documentOf(one.ray)}});
   return {{"comparisons", comparisons}};
 }
 
@@ -44,7 +44,8 @@ ExitCode run(OneCameraStudyOptions& options, const std::string& camera, const St
       [](const OneCameraStudy& study) { return !study.comparisons.empty(); },
       [&](const OneCameraStudy& study) {
         const base::Table table = studies::comparisonsOf(study);
-        return StudyReport{base::markdownOf(table), jsonOf(study), {{"one-camera.csv", base::csvOf(table)}}};
+        return StudyReport{
+            base::markdownOf(table), documentOf(study), {{"one-camera.csv", base::csvOf(table)}}};
       });
 }
 

@@ -163,7 +163,7 @@ bool isFifo(const std::string& path) {
   return std::filesystem::is_fifo(path, fault);
 }
 
-recording::RowFormat formatOf(const std::string& target, const std::string& format) {
+recording::RowFormat rowFormatOf(const std::string& target, const std::string& format) {
   const table_files::TableKindFacts* kind = table_files::kindBySuffix(target);
   if (format == "auto" && kind && kind->kind != table_files::TableKind::kCsv &&
       kind->kind != table_files::TableKind::kJsonLines)
@@ -179,7 +179,7 @@ recording::RowFormat formatOf(const std::string& target, const std::string& form
 EstimateWriter::EstimateWriter(const std::string& target, Session session, const std::string& format)
     : target_(target) {
   if (target.empty()) return;
-  const recording::RowFormat rows = formatOf(target, format);
+  const recording::RowFormat rows = rowFormatOf(target, format);
   const bool live = session == Session::kLive;
   if (live && (live::isAddress(target) || isFifo(target))) {
     rows_.emplace(rows, [this](const std::string& row) { stream_->send(row); });

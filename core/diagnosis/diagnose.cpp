@@ -206,9 +206,13 @@ Report diagnose(const std::vector<Evidence>& recordings, const robot::Descriptio
   if (progress) progress->report(0.0, "Preparing");
   const FitModel base(nominal, jointScales(recordings, nominal));
   clock.lap("prepare");
-  const auto [fitted, selection] = selectOverHorizons(
-      recordings, nominal, base, options.zeros, options.threads,
-      {.most_causes = options.most_causes, .only = options.only, .seed = options.seed}, progress);
+  const auto [fitted, selection] =
+      selectOverHorizons(recordings, nominal, base, options.zeros, options.threads,
+                         {.most_causes = options.most_causes,
+                          .only = options.only,
+                          .seed = options.seed,
+                          .effort = options.effort},
+                         progress);
   const FitData& data = *fitted;
   clock.lap("refit, screen and select");
   Assembly assembly(recordings, nominal, data, selection, report);
@@ -230,6 +234,12 @@ Report diagnose(const std::vector<Evidence>& recordings, const robot::Descriptio
         nextExperiment(data, recordings, selection, nominal, options.zeros, options.threads, progress);
     clock.lap("next experiment");
   }
+  report.search_complete = selection.complete;
+  if (!selection.complete)
+    report.notices.push_back(
+        fmt::format("The search for causes ended at its limit. Better combinations of causes may exist; "
+                    "--effort {:g} searches longer",
+                    2.0 * options.effort));
   for (const Evidence& evidence : recordings)
     report.notices.insert(report.notices.end(), evidence.notices.begin(), evidence.notices.end());
   if (options.show && options.filter) {

@@ -23,6 +23,7 @@ struct DiagnosisOptions {
   bool filter = true;
   std::vector<std::string> only;  ///< names of hypotheses to consider; empty: all
   std::uint64_t seed = 1;         ///< seed of the bootstraps
+  double effort = 1.0;            ///< multiplies the limit of the search for causes (kMostWork)
 };
 
 /// Diagnosis of one robot. It simulates the nominal robot on the inputs of the recordings (motor positions,

@@ -139,7 +139,7 @@ TEST_F(Panel, RejectionNeedsAReason) {
     if (each->text() == "Reject") reject = each;
   ASSERT_TRUE(reject);
   EXPECT_FALSE(reject->isEnabled());
-  emit panel.resultPage().rejectRequested("wrong thing detected");
+  Q_EMIT panel.resultPage().rejectRequested("wrong thing detected");
   EXPECT_EQ(reason, "wrong thing detected");
   EXPECT_FALSE(panel.active());
 }

@@ -210,6 +210,12 @@ int ChainSimulation::stepsFor(const robot::ChainModel& model) const {
              : kMostSteps;
 }
 
+double ChainSimulation::workOf(int steps) const {
+  std::size_t rows = 0;
+  for (const Window& window : windows_) rows += window.end - window.begin;
+  return static_cast<double>(rows) * steps * joints_;
+}
+
 robot::ChainState<double> ChainSimulation::initialState(const robot::ChainModel& model,
                                                         const Eigen::MatrixXd* beyond,
                                                         std::size_t window) const {

@@ -30,6 +30,8 @@ class FitData {
   bool rigid() const { return rigid_; }
   /// True once the caller's progress is cancelled.
   bool cancelled() const { return progress_ && progress_->cancelled(); }
+  /// Work of all calls of simulate() until now, ChainSimulation::workOf(). The same on every machine.
+  double work() const { return work_; }
   /// True if the zeros of the joint encoders are unknown and are fitted.
   bool zerosFree() const { return zeros_ != EncoderZeros::kKnown; }
 
@@ -73,6 +75,7 @@ class FitData {
   std::vector<std::pair<Eigen::Index, Eigen::Index>> segments_;
   int blocks_ = 0, sensors_ = 0, threads_ = 1;
   bool rigid_ = false;
+  mutable double work_ = 0.0;
   const base::Progress* progress_ = nullptr;
   EncoderZeros zeros_ = EncoderZeros::kKnown;
 };

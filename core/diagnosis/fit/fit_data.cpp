@@ -112,6 +112,8 @@ Eigen::MatrixXd FitData::simulate(const std::vector<robot::ChainModel>& models,
   std::vector<Group> groups;
   for (std::size_t r = 0; r < simulations_.size(); ++r)
     addGroups(*simulations_[r], r, models, family, groups);
+  for (const Group& group : groups)
+    work_ += static_cast<double>(group.members.size()) * simulations_[group.recording]->workOf(group.steps);
   base::parallelFor(groups.size(), threads_, [&](std::size_t task) {
     const auto& [r, steps, members] = groups[task];
     std::vector<Robot> robots;

@@ -182,6 +182,7 @@ struct Report {
   robot::Description refitted, extended;  ///< refitted robot, and the same with all effects
   std::vector<Stage> stages;
   std::vector<std::string> notices;  ///< remarks for the user, one line each
+  bool search_complete = true;       ///< false: the search for causes ended at its limit (kMostWork)
   bool cancelled = false;            ///< true if the diagnosis was cancelled before its end
 };
 /// Smallest share of a channel's held-out mean square that an effect must remove to be a cause: of two

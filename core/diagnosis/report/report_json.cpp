@@ -188,6 +188,7 @@ json jsonOf(const Report& report) {
           {"summary", report.summary},
           {"explained", number(report.explained)},
           {"cancelled", report.cancelled},
+          {"search_complete", report.search_complete},
           {"recordings", report.recordings},
           {"causes", list(report.causes, [](const Cause& cause) { return jsonOf(cause); })},
           {"also_measurable", list(report.also_measurable, [](const Cause& cause) { return jsonOf(cause); })},

@@ -9,6 +9,7 @@ namespace capstan::diagnosis {
 /// Report as JSON. Numbers are in SI, to the last bit; NaN and infinity are null. The verdict of a cancelled
 /// report is null. The samples of channels are omitted, and so are the robots, which are files of their own.
 ///     {"verdict": "found|several|tie|nothing|unexplained", "summary", "explained", "cancelled",
+///     "search_complete",
 ///      "recordings",
 ///      "causes": [{"effect", "joint", "parameters": {name: {"value", "sigma", "unit"}}, "probability",
 ///                  "loss", "moves": {"joints": [{"rms", "largest"}], "tip": {"rms", "largest"}},

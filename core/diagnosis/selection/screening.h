@@ -24,8 +24,8 @@ struct ScoreTest {
 std::vector<EffectCandidate> candidatesOf(const std::vector<Evidence>& recordings, const FitModel& model,
                                           const std::vector<std::string>& only);
 
-/// Score tests of all candidates, the highest score first: the best start of each candidate, or of each of its
-/// forms (the other joint of a coupling), from one of which no fit leads to another one. Each start
+/// Score tests of all candidates, the highest score first: the best start of each candidate, or of each of
+/// its forms (the other joint of a coupling), from one of which no fit leads to another one. Each start
 /// changes the fitted robot by a small size of the effect, or by the start itself if the effect has no small
 /// size. The change of the readings, without the part that the fit's own parameters could also produce, is
 /// projected on the residual. The cost is one simulation per start.

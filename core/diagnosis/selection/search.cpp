@@ -53,14 +53,19 @@ class Search {
     score_.emplace(scoredChannels(data_, found_.input_noise), data_.blocks(), kDraws, options_.seed);
     keep(std::move(base));
     if (start) tryStart(*start);
-    while (!cancelled(progress_) &&
-           (expandBeam() || expandNeighbours() || settleContenders() || restartBest())) {
+    while (!ends() && (expandBeam() || expandNeighbours() || settleContenders() || restartBest())) {
     }
     finish();
     return std::move(found_);
   }
 
  private:
+  /// True if no further fits may begin.
+  bool ends() {
+    if (data_.work() > options_.effort * kMostWork) found_.complete = false;
+    return !found_.complete || cancelled(progress_);
+  }
+
   double prior(const SetFit& set) const { return logPrior(set, found_.candidates, found_.instants); }
 
   /// Score on held-out blocks and log prior of a settled set [nats].
@@ -129,7 +134,7 @@ class Search {
     sets.resize(std::min(sets.size(), isFar(at(found_.best)) ? kFarBeam : kBeam));
     bool any = false;
     for (const EffectSet& effects : sets) {
-      if (!expanded_.insert(effects).second || cancelled(progress_)) continue;
+      if (ends() || !expanded_.insert(effects).second) continue;
       expand(effects, {.refits = options_.refits, .settled = kSettled, .least = 0.0});
       any = true;
     }
@@ -153,7 +158,7 @@ class Search {
     shrinkTo(smaller, best);
     for (const EffectSet& effects : smaller) {
       if (found_.best != best) return true;
-      if (cancelled(progress_) || !found_.sets.contains(effects)) return false;
+      if (ends() || !found_.sets.contains(effects)) return false;
       if (!expanded_.insert(effects).second) continue;
       expand(effects, {.refits = kNeighbourRefits,
                        .settled = kNeighbourSettled,
@@ -167,7 +172,7 @@ class Search {
     std::vector<SetFit> sets;
     for (auto& [effects, set] : found_.sets)
       if (!set.settled && fittedValue(set) > fittedValue(at(found_.best)) - kContend) sets.push_back(set);
-    if (sets.empty() || cancelled(progress_)) return false;
+    if (sets.empty() || ends()) return false;
     sortByFit(sets);
     if (sets.size() > kContenders) sets.erase(sets.begin() + kContenders, sets.end());
 
@@ -192,14 +197,14 @@ class Search {
         break;
       }
     }
-    if (removals.empty() || cancelled(progress_)) return;
+    if (removals.empty() || ends()) return;
 
     report(fmt::format("Fitting without {}", removals.front().effect.hypothesis->words.title));
     std::vector<SetFit> near, others;
     for (SetFit& set : fitter_.reduced(removals))
       (fittedValue(set) > fittedValue(at(best)) - kWorthMuch ? near : others).push_back(std::move(set));
     keepThin(std::move(others));
-    if (!near.empty() && !cancelled(progress_)) keepThin(fitter_.settled(std::move(near)));
+    if (!near.empty() && !ends()) keepThin(fitter_.settled(std::move(near)));
     for (const Removal& removal : removals)
       if (removal.parent->effects != found_.best) SetFitter::thin(at(removal.parent->effects));
   }
@@ -307,7 +312,7 @@ class Search {
   /// Fits the best set from the nominal parameters, too. True: that has changed the best set or its fit.
   bool restartBest() {
     const EffectSet effects = found_.best;
-    if (effects.empty() || cancelled(progress_) || !restarted_.insert(effects).second) return false;
+    if (effects.empty() || ends() || !restarted_.insert(effects).second) return false;
     report("Refitting from the nominal parameters");
     fitter_.relinearise(at(effects));
     const double before = value(effects);

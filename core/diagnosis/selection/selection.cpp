@@ -80,7 +80,8 @@ Selection select(const FitData& data, const std::vector<Evidence>& recordings, c
               .competitors = {},
               .posterior = windowOf(posterior),
               .probable = probableOf(posterior, found),
-              .candidates = std::move(found.tested)};
+              .candidates = std::move(found.tested),
+              .complete = found.complete};
   settleWithouts(fitter, best, found);
   s.effects = selectedOf(best.effects, best.squares, modelsOf(found, score), posterior, score);
   s.competitors = competitorsOf(best.effects, s.effects, posterior);

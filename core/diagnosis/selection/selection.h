@@ -35,6 +35,7 @@ struct Selection {
   std::vector<SetProbability> posterior;           ///< sets within kOccam, most probable first
   std::vector<ProbableSet> probable;               ///< the kProbableSets most probable sets, thinned
   std::vector<Candidate> candidates;               ///< candidates that the search tested
+  bool complete = true;                            ///< false: the search ended at its limit (kMostWork)
 };
 
 /// Searches sets of effects (search.h) and selects one of them (posterior.h). `start`: effects that another

@@ -186,6 +186,22 @@ TEST(SearchSets, CancelledItEndsWithinTheFitsThatRun) {
   EXPECT_EQ(std::ranges::count(found.tested, true, &Candidate::refitted), 0);
 }
 
+TEST(SearchSets, EndsAtItsLimitAndSaysSo) {
+  const Hidden hidden(6.0);
+  const FitData data = hidden.data(), again = hidden.data();
+  SearchOptions options = amongSix();
+  const SearchResult whole = searchSets(data, hidden.evidence, hidden.nominal(), nullptr, options, nullptr);
+  EXPECT_TRUE(whole.complete);
+  options.effort = 0.5 * data.work() / kMostWork;
+  const SearchResult half = searchSets(again, hidden.evidence, hidden.nominal(), nullptr, options, nullptr);
+  EXPECT_FALSE(half.complete);
+  EXPECT_LT(half.sets.size(), whole.sets.size());
+  EXPECT_TRUE(half.sets.contains({}));
+  EXPECT_TRUE(half.sets.at(half.best).settled);
+  EXPECT_GT(again.work(), 0.5 * data.work());
+  EXPECT_LT(again.work(), data.work());
+}
+
 TEST(Select, IsTheSameWhateverTheThreads) {
   const Hidden hidden(6.0);
   SearchOptions options{.most_causes = 2, .refits = 2, .only = {"pulley_radius", "homing_offset"}, .seed = 1};
