@@ -9,6 +9,7 @@
 #include <QShortcut>
 #include <cmath>
 
+#include "widgets/figures/drawing_turn.h"
 #include "widgets/scene/scene_renderer.h"
 
 namespace capstan::widgets {
@@ -50,9 +51,14 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent) {
   timer_.setInterval(kPeriod);
   connect(&timer_, &QTimer::timeout, this, [this] {
     if (!changed_ || !isVisible()) return;
+    if (!DrawingTurn::isFreeFor(this)) {
+      timer_.setInterval(kApart / 2);
+      return;
+    }
     QElapsedTimer spent;
     spent.start();
     draw();
+    DrawingTurn::drew(this, static_cast<double>(spent.elapsed()));
     timer_.setInterval(std::max(kPeriod, static_cast<int>(kRest * spent.elapsed())));
   });
   timer_.start();
