@@ -44,7 +44,7 @@ std::string coverageText(const vision::BoardCoverage& coverage) {
                      missing.empty() ? "" : "; missing: ", fmt::join(missing, ", "));
 }
 
-std::string textOf(const vision::CalibrationReport& report) {
+std::string wordsOf(const vision::CalibrationReport& report) {
   const auto& left = report.rig.left;
   const auto& right = report.rig.right;
   std::string text = fmt::format("{:<28}{:>12}{:>12}\n", "", "left", "right");
@@ -93,7 +93,7 @@ nlohmann::json coverageJson(const vision::BoardCoverage& coverage) {
           {"missing", coverage.missing()}};
 }
 
-nlohmann::json jsonOf(const vision::CalibrationReport& report) {
+nlohmann::json documentOf(const vision::CalibrationReport& report) {
   nlohmann::json views = nlohmann::json::array();
   for (const auto& view : report.views)
     views.push_back({{"left", view.left},
@@ -158,8 +158,8 @@ ExitCode calibrate(CalibrateArguments& arguments) {
         fmt::format("the images show a chessboard of {}x{} inner corners, not {}: part of it was used; give "
                     "--board {}x{}",
                     other[0], other[1], arguments.board, other[0], other[1]));
-  output.text(textOf(report));
-  output.json(jsonOf(report));
+  output.text(wordsOf(report));
+  output.json(documentOf(report));
   if (arguments.write) {
     const std::filesystem::path folder = arguments.out;
     std::error_code failed;

@@ -8,8 +8,9 @@ namespace capstan::cli {
 
 enum ExitCode : int {
   kOk = 0,
-  kFailed = 1,  ///< no result or a negative one (not calibrated, nothing tracked, cancelled)
-  kUsage = 2,   ///< bad argument, or bad or missing file
+  kFailed = 1,      ///< no result or a negative one (not calibrated, nothing tracked, cancelled)
+  kUsage = 2,       ///< bad argument, or bad or missing file
+  kIncomplete = 3,  ///< of `recover`: rows are lost
 };
 
 void addSimulate(CLI::App& app, ExitCode& exit);
@@ -27,6 +28,7 @@ void addConvert(CLI::App& app, ExitCode& exit);
 void addDevices(CLI::App& app, ExitCode& exit);
 void addDiagnose(CLI::App& app, ExitCode& exit);
 void addCompare(CLI::App& app, ExitCode& exit);
+void addRecover(CLI::App& app, ExitCode& exit);
 void addReport(CLI::App& app, ExitCode& exit);
 void addExport(CLI::App& app, ExitCode& exit);
 void addFigures(CLI::App& app, ExitCode& exit);

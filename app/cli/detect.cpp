@@ -89,13 +89,13 @@ base::Table tableOf(const std::vector<Row>& rows) {
   return table;
 }
 
-nlohmann::json jsonOf(const vision::MarkerDetection& marker) {
+nlohmann::json documentOf(const vision::MarkerDetection& marker) {
   if (!marker.found()) return {{"reason", std::string(base::nameOf(marker.fault))}};
   return {{"u", marker.centroid.x()}, {"v", marker.centroid.y()},          {"radius", marker.radius},
           {"sigma", marker.sigma},    {"circularity", marker.circularity}, {"area", marker.area}};
 }
 
-nlohmann::json jsonOf(const std::vector<Row>& rows) {
+nlohmann::json documentOf(const std::vector<Row>& rows) {
   nlohmann::json list = nlohmann::json::array();
   int detected = 0;
   for (const Row& row : rows) {
@@ -103,8 +103,8 @@ nlohmann::json jsonOf(const std::vector<Row>& rows) {
     nlohmann::json entry = {{"left_image", row.files[0]},
                             {"right_image", row.files[1]},
                             {"detected", row.found()},
-                            {"left", jsonOf(row.markers[0])},
-                            {"right", jsonOf(row.markers[1])}};
+                            {"left", documentOf(row.markers[0])},
+                            {"right", documentOf(row.markers[1])}};
     if (row.found()) {
       entry["left_u"] = row.markers[0].centroid.x();
       entry["left_v"] = row.markers[0].centroid.y();
@@ -118,7 +118,7 @@ nlohmann::json jsonOf(const std::vector<Row>& rows) {
   return {{"pairs", rows.size()}, {"detected", detected}, {"rows", list}};
 }
 
-std::string textOf(const std::vector<Row>& rows) {
+std::string wordsOf(const std::vector<Row>& rows) {
   std::string text;
   int detected = 0;
   for (const Row& row : rows) {
@@ -145,8 +145,8 @@ ExitCode run(const DetectArguments& arguments) {
   const auto rows = detect(arguments);
   if (!arguments.out.empty()) base::writeTextFile(arguments.out, base::csvOf(tableOf(rows)));
   const Output output(arguments.json);
-  output.text(textOf(rows));
-  output.json(jsonOf(rows));
+  output.text(wordsOf(rows));
+  output.json(documentOf(rows));
   return std::ranges::any_of(rows, &Row::found) ? kOk : kFailed;
 }
 

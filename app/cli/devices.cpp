@@ -11,7 +11,7 @@
 namespace capstan::cli {
 namespace {
 
-std::string textOf(const live::VideoDevice& device) {
+std::string wordsOf(const live::VideoDevice& device) {
   if (!device.fault.empty()) return fmt::format("{}  cannot be used: {}\n", device.path, device.fault);
   std::string text = fmt::format("{}  {}, {}\n", device.path, device.name, device.at);
   for (const live::VideoFormat& format : device.formats)
@@ -22,7 +22,7 @@ std::string textOf(const live::VideoDevice& device) {
   return text;
 }
 
-nlohmann::json jsonOf(const live::VideoDevice& device) {
+nlohmann::json documentOf(const live::VideoDevice& device) {
   nlohmann::json formats = nlohmann::json::array(), controls = nlohmann::json::array();
   for (const live::VideoFormat& format : device.formats)
     formats.push_back({{"pixels", format.pixels},
@@ -46,8 +46,8 @@ ExitCode devices(const std::string& json) {
   const std::vector<live::VideoDevice> cameras = live::listVideoDevices();
   nlohmann::json all = nlohmann::json::array();
   for (const live::VideoDevice& camera : cameras) {
-    output.text(textOf(camera));
-    all.push_back(jsonOf(camera));
+    output.text(wordsOf(camera));
+    all.push_back(documentOf(camera));
   }
   if (cameras.empty())
     output.text("no cameras: nothing in /dev/video*. Is one plugged in, and has this user its permission?\n");

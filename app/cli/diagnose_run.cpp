@@ -76,8 +76,8 @@ diagnosis::DiagnosisRequest requestOf(const DiagnoseArguments& arguments) {
   return request;
 }
 
-std::string textOf(const diagnosis::FilesDiagnosis& found) {
-  std::string text = cli::textOf(found.report());
+std::string wordsOf(const diagnosis::FilesDiagnosis& found) {
+  std::string text = textOf(found.report());
   if (const auto* poses = std::get_if<diagnosis::PoseReport>(&found.found))
     text += "\n" + plainText(diagnosis::poseStepTable(*poses));
   return text;
@@ -133,7 +133,7 @@ ExitCode runDiagnose(const DiagnoseArguments& arguments, const diagnosis::Diagno
   if (report.cancelled && report.channels.empty()) return cancelled(arguments, "nothing was diagnosed");
   for (const std::string& line : report.notices) notice(line);
   const Output output(arguments.json);
-  output.text(textOf(found));
+  output.text(wordsOf(found));
   output.json(jsonOf(found));
   if (report.cancelled) return cancelled(arguments, "these are the results until then");
   if (!arguments.out.empty()) writeRobot(arguments, report);

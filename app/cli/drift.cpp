@@ -42,7 +42,7 @@ std::string placeOf(const learning::PreparedStates& prepared, std::size_t state)
   return fmt::format("{}, t {:.1f} s (line {})", prepared.screen.motions[at.motion].name, at.t, at.row);
 }
 
-nlohmann::json jsonOf(const learning::PreparedStates& prepared, const learning::DriftHistory& history) {
+nlohmann::json documentOf(const learning::PreparedStates& prepared, const learning::DriftHistory& history) {
   nlohmann::json json = {{"finding", nameOf(findingOf(history))},
                          {"judged", history.t.size()},
                          {"low_confidence", history.low_confidence},
@@ -62,8 +62,8 @@ nlohmann::json jsonOf(const learning::PreparedStates& prepared, const learning::
   return json;
 }
 
-std::string textOf(const learning::PreparedStates& prepared, std::size_t states,
-                   const learning::DriftHistory& history) {
+std::string wordsOf(const learning::PreparedStates& prepared, std::size_t states,
+                    const learning::DriftHistory& history) {
   std::string text = fmt::format(
       "{} of {} states count; for {} of these the model's confidence is low (below {}): they do not\n"
       "test it.\n",
@@ -118,8 +118,8 @@ ExitCode run(const DriftArguments& arguments) {
   }
   if (progress.cancelled()) return kFailed;
   const Output output(arguments.json);
-  output.text(textOf(prepared, states, history));
-  output.json(jsonOf(prepared, history));
+  output.text(wordsOf(prepared, states, history));
+  output.json(documentOf(prepared, history));
   return findingOf(history) == Finding::kHolds ? kOk : kFailed;
 }
 

@@ -39,8 +39,8 @@ QueryPoses queryPosesOf(const std::vector<learning::State>& candidates,
   return queries;
 }
 
-std::string textOf(std::size_t candidates, const std::vector<learning::NextPose>& next,
-                   const QueryPoses& queries) {
+std::string wordsOf(std::size_t candidates, const std::vector<learning::NextPose>& next,
+                    const QueryPoses& queries) {
   std::string text = fmt::format(
       "{} of {} query poses, the most informative first. Uncertainty (mean variance of the correction over\n"
       "these poses, relative to the variance without data) before and after each pose is learned:\n",
@@ -80,7 +80,7 @@ ExitCode run(const ExploreArguments& arguments) {
     Output({}).text("No query pose would lower the model's uncertainty.\n");
     return kOk;
   }
-  Output({}).text(textOf(candidates.size(), next, queries));
+  Output({}).text(wordsOf(candidates.size(), next, queries));
   return kOk;
 }
 

@@ -116,7 +116,7 @@ std::optional<recording::ImplausibleUnits> readOrRefuse(const InfoArguments& arg
   return std::nullopt;
 }
 
-nlohmann::json jsonOf(const std::optional<recording::ImplausibleUnits>& refused) {
+nlohmann::json documentOf(const std::optional<recording::ImplausibleUnits>& refused) {
   nlohmann::json list = nlohmann::json::array();
   if (!refused) return list;
   for (const recording::UnitFinding& found : refused->findings())
@@ -165,7 +165,7 @@ void infoTable(const InfoArguments& arguments, RecordingFormat format, const Out
                {"values", columns},
                {"ignored", table.ignored},
                {"own_kinematics", table.own_kinematics},
-               {"implausible_units", jsonOf(refused)}});
+               {"implausible_units", documentOf(refused)}});
   if (refused) throw *refused;
 }
 

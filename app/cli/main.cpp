@@ -67,6 +67,7 @@ int run(int argc, char** argv) {
   cli::addDetect(app, exit);
   cli::addInfo(app, exit);
   cli::addConvert(app, exit);
+  cli::addRecover(app, exit);
   cli::addReport(app, exit);
   cli::addExport(app, exit);
   cli::addFigures(app, exit);

@@ -38,7 +38,7 @@ struct MarkerArguments {
   std::abort();
 }
 
-std::string textOf(const vision::PickedMarker& picked) {
+std::string wordsOf(const vision::PickedMarker& picked) {
   const auto& limits = picked.options;
   std::string text = fmt::format(
       "marker      {:.2f}, {:.2f} px, radius {:.1f} px, circularity {:.2f}\nhue         {} to {}\nsaturation "
@@ -51,7 +51,7 @@ std::string textOf(const vision::PickedMarker& picked) {
   return text;
 }
 
-nlohmann::json jsonOf(const vision::PickedMarker& picked) {
+nlohmann::json documentOf(const vision::PickedMarker& picked) {
   nlohmann::json limits;
   vision::MarkerOptions::visit(picked.options, [&](const auto& value, const base::FieldInfo& info) {
     limits[std::string(info.key)] = value;
@@ -74,8 +74,8 @@ ExitCode run(const MarkerArguments& arguments) {
   if (!picked) refusePick(arguments, picked.error());
   if (!arguments.out.empty()) vision::writeMarkerFile(picked->options, arguments.out);
   const Output output(arguments.json);
-  output.text(textOf(*picked));
-  output.json(jsonOf(*picked));
+  output.text(wordsOf(*picked));
+  output.json(documentOf(*picked));
   if (picked->ambiguous())
     notice(
         fmt::format("{}: another area of {} px has the marker's colour; a search of the whole image takes "

@@ -32,7 +32,7 @@ struct Registered {
   registration::PairRegistration fit;
 };
 
-nlohmann::json jsonOf(const Registered& found) {
+nlohmann::json documentOf(const Registered& found) {
   const auto& fit = found.fit;
   const Eigen::Quaterniond turn(fit.base_from_camera.rotation());
   nlohmann::json rejected = nlohmann::json::array(), covariance = nlohmann::json::array();
@@ -64,7 +64,7 @@ nlohmann::json jsonOf(const Registered& found) {
           {"warning", registration::warningOf(fit)}};
 }
 
-std::string textOf(const Registered& found) {
+std::string wordsOf(const Registered& found) {
   const auto& fit = found.fit;
   std::string rejected;
   int used = 0;
@@ -117,8 +117,8 @@ ExitCode run(const RegisterArguments& arguments) {
   const Registered found = registered(arguments);
   if (!arguments.out.empty()) vision::writeRegistration(found.fit.base_from_camera, arguments.out);
   const Output output(arguments.json);
-  output.text(textOf(found));
-  output.json(jsonOf(found));
+  output.text(wordsOf(found));
+  output.json(documentOf(found));
   return kOk;
 }
 

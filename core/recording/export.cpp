@@ -25,13 +25,17 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 std::string tableText(Database& database, const Table& table, base::Progress* progress) {
   std::string names;
-  for (const Column& column : table.columns)
-    if (column.type != ColumnType::kBlob) names += (names.empty() ? "" : ",") + std::string(column.name);
+  std::vector<int> shown;
+  for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    if (table.columns[i].type == ColumnType::kBlob) continue;
+    names += (names.empty() ? "" : ",") + std::string(table.columns[i].name);
+    shown.push_back(static_cast<int>(i));
+  }
   std::string text = names + '\n';
-  Statement rows(database, fmt::format("SELECT {} FROM {} ORDER BY rowid", names, table.name));
+  Statement rows = rowsOf(database, table, "ORDER BY rowid");
   while (rows.step()) {
     if (progress && progress->cancelled()) return {};
-    for (int i = 0; i < rows.columns(); ++i) {
+    for (const int i : shown) {
       if (i > 0) text += ',';
       if (rows.isNull(i)) continue;
       if (rows.isReal(i))
@@ -79,14 +83,14 @@ std::optional<std::size_t> rowFrom(const MeasuredTable& table, double t) {
 }
 
 void placeJoints(Database& database, MeasuredTable& table) {
-  Statement rows(database, selectStatement(recording::table(kJointTable)));
+  Statement rows = rowsOf(database, recording::table(kJointTable));
   while (rows.step())
     if (const auto row = rowFrom(table, rows.real(1)))
       for (std::size_t i = 0; i < 3; ++i) table.q[i][*row] = rows.real(static_cast<int>(2 + i));
 }
 
 void placeTips(Database& database, MeasuredTable& table) {
-  Statement rows(database, selectStatement(recording::table(kTipTable)));
+  Statement rows = rowsOf(database, recording::table(kTipTable));
   while (rows.step())
     if (const auto row = rowAt(table, rows.real(1)))
       for (std::size_t i = 0; i < 3; ++i) table.p_c[i][*row] = rows.real(static_cast<int>(3 + i));
@@ -202,7 +206,7 @@ MeasuredTable sessionTable(const std::filesystem::path& session) {
   table.file = session.string();
   try {
     table.own_kinematics = readHeader(database).own_kinematics;
-    Statement rows(database, selectStatement(recording::table(kMotorTable)));
+    Statement rows = rowsOf(database, recording::table(kMotorTable));
     while (rows.step()) {
       table.t.push_back(rows.real(1));
       pushRow(table.q_m, {rows.real(2), rows.real(3), rows.real(4)});

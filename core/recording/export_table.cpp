@@ -60,7 +60,7 @@ void writeSamples(Database& database, const Table& table, table_files::Hdf5Write
                   const base::Progress* progress) {
   Piece piece(table);
   writer.beginTable(std::string(table.name), std::string(table.meaning), piece.columns);
-  Statement rows(database, selectStatement(table));
+  Statement rows = rowsOf(database, table);
   while (rows.step()) {
     piece.add(rows);
     if (piece.values.front().size() < kPiece) continue;

@@ -1,5 +1,7 @@
 #include "core/recording/schema.h"
 
+#include <fmt/format.h>
+
 #include <array>
 
 namespace capstan::recording {
@@ -96,7 +98,7 @@ constexpr Column kCodec[] = {
 constexpr Column kHeader[] = {
     {"key", kText, "",
      "title, created, software, robot, camera_left, camera_right, truth, marker, tracking, "
-     "registration, reference"},
+     "registration, reference, rows"},
     {"value", kText, "", "text; contents of complete files"},
 };
 constexpr Column kDictionary[] = {
@@ -136,6 +138,10 @@ std::string_view declaredType(ColumnType type) {
 
 std::span<const Table> tables() { return kTables; }
 const Table& table(SampleTable which) { return kTables[which]; }
+const Table& codecTable() { return kTables[kSampleTables]; }
+const Table& headerTable() { return kTables[kSampleTables + 1]; }
+const Table& dictionaryTable() { return kTables[kSampleTables + 2]; }
+const Column kCheck = {kCheckColumn, ColumnType::kInteger, "", "CRC-32 of the row"};
 
 std::string createStatement(const Table& table) {
   std::string sql = "CREATE TABLE " + std::string(table.name) + " (";
@@ -144,19 +150,23 @@ std::string createStatement(const Table& table) {
     sql += std::string(i ? ", " : "") + std::string(column.name) + std::string(declaredType(column.type));
     if (i == 0 && table.name != "dictionary") sql += " PRIMARY KEY";
   }
-  return sql + ")";
+  return sql + fmt::format(", {}{})", kCheckColumn, declaredType(ColumnType::kInteger));
 }
 
-std::string insertStatement(const Table& table) {
+std::string insertStatement(const Table& table, std::string_view verb) {
   std::string marks;
-  for (std::size_t i = 0; i < table.columns.size(); ++i) marks += i ? ", ?" : "?";
-  return "INSERT INTO " + std::string(table.name) + " VALUES (" + marks + ")";
+  for (std::size_t i = 1; i <= table.columns.size(); ++i) marks += fmt::format("?{}, ", i);
+  const std::string values = marks.substr(0, marks.size() - 2);
+  return fmt::format("{0} INTO {1} VALUES ({2}, row_crc('{1}', {2}))", verb, table.name, values);
 }
 
-std::string selectStatement(const Table& table) {
+std::string selectStatement(const Table& table, bool checked) {
   std::string names;
-  for (const Column& column : table.columns) names += (names.empty() ? "" : ", ") + std::string(column.name);
-  return "SELECT " + names + " FROM " + std::string(table.name) + " ORDER BY seq";
+  for (const Column& column : table.columns)
+    names += fmt::format("{}\"{}\"", names.empty() ? "" : ", ", column.name);
+  const std::string holds =
+      checked ? fmt::format(", row_holds({}, '{}', {})", kCheckColumn, table.name, names) : "";
+  return fmt::format("SELECT {}{} FROM {}", names, holds, table.name);
 }
 
 }  // namespace capstan::recording

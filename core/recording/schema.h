@@ -13,7 +13,10 @@
 namespace capstan::recording {
 
 inline constexpr std::int32_t kApplicationId = 0x43505354;  ///< "CPST"
-inline constexpr std::int32_t kSchemaVersion = 1;           ///< PRAGMA user_version
+inline constexpr int kPageSize = 8192;                      ///< of the database [bytes]
+/// PRAGMA user_version. Version 1 had no check sums.
+inline constexpr std::int32_t kSchemaVersion = 2;
+inline constexpr std::string_view kCheckColumn = "crc";  ///< last column of each table, RowCheck
 /// Value of `reference` in the header if joints are the robot's own kinematics; otherwise it is 1 or 0.
 inline constexpr std::string_view kOwnKinematics = "own kinematics";
 
@@ -29,7 +32,8 @@ struct Column {
 struct Table {
   std::string_view name;
   std::string_view meaning;
-  std::span<const Column> columns;  ///< tables of samples begin with `seq`, their primary key
+  /// All columns but kCheckColumn. Tables of samples begin with `seq`, their primary key.
+  std::span<const Column> columns;
 };
 
 /// Tables of samples, in the order in which they are counted, replayed and exported.
@@ -46,11 +50,16 @@ enum SampleTable {
 /// All tables: those of SampleTable first, then `codec`, `header` and `dictionary`.
 std::span<const Table> tables();
 const Table& table(SampleTable which);
+const Table& codecTable();
+const Table& headerTable();
+const Table& dictionaryTable();
+extern const Column kCheck;  ///< the column kCheckColumn
 
 std::string createStatement(const Table& table);
-/// INSERT statement of a whole row, one parameter per column.
-std::string insertStatement(const Table& table);
-/// SELECT statement of all columns, ordered by `seq`.
-std::string selectStatement(const Table& table);
+/// INSERT statement of a whole row, one parameter per column; the check sum is computed.
+std::string insertStatement(const Table& table, std::string_view verb = "INSERT");
+/// SELECT of all columns, without WHERE and ORDER BY. Steps fail at a row that is not as it was written
+/// (row_holds()), unless the file has no check sums.
+std::string selectStatement(const Table& table, bool checked);
 
 }  // namespace capstan::recording

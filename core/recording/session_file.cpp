@@ -8,6 +8,7 @@
 #include "core/base/yaml.h"
 #include "core/recording/schema.h"
 #include "core/recording/session_reader.h"
+#include "core/recording/session_writer.h"
 
 namespace capstan::recording {
 namespace {
@@ -27,14 +28,22 @@ void countRows(Database& database, SessionSummary& summary) {
     *counts[which] = database.number("SELECT count(*) FROM " + name);
     if (which > kFrameTable || *counts[which] == 0) continue;
     for (const char* direction : {"ASC", "DESC"}) {
-      Statement row(database, fmt::format("SELECT t FROM {} ORDER BY seq {} LIMIT 1", name, direction));
+      Statement row = rowsOf(database, table(static_cast<SampleTable>(which)),
+                             fmt::format("ORDER BY seq {} LIMIT 1", direction));
       if (!row.step()) continue;
-      const double t = row.real(0);
+      const double t = row.real(1);
       summary.first_t = any ? std::min(summary.first_t, t) : t;
       summary.last_t = any ? std::max(summary.last_t, t) : t;
       any = true;
     }
   }
+}
+
+/// Throws SqliteError if rows have vanished since the recording ended.
+void checkCounts(Database& database, const SessionHeader& header) {
+  const std::string counts = countsOf(database);
+  if (!header.rows.empty() && header.rows != counts)
+    throw SqliteError(SQLITE_CORRUPT, fmt::format("it has {} rows, of {}", counts, header.rows));
 }
 
 }  // namespace
@@ -81,6 +90,7 @@ SessionSummary readSessionSummary(const std::filesystem::path& path) {
     SessionSummary summary;
     summary.header = readHeader(database);
     countRows(database, summary);
+    checkCounts(database, summary.header);
     Statement size(database, "SELECT width, height FROM codec ORDER BY id LIMIT 1");
     if (size.step()) {
       summary.width = static_cast<int>(size.integer(0));
@@ -97,7 +107,7 @@ std::vector<SessionEvent> readSessionEvents(const std::filesystem::path& path) {
   Database database = openSession(path);
   try {
     std::vector<SessionEvent> events;
-    Statement rows(database, selectStatement(table(kEventTable)));
+    Statement rows = rowsOf(database, table(kEventTable));
     while (rows.step()) events.push_back({rows.real(1), rows.text(2), rows.text(3)});
     return events;
   } catch (const SqliteError& error) {
@@ -109,7 +119,7 @@ std::vector<EstimateRow> readSessionEstimates(const std::filesystem::path& path)
   Database database = openSession(path);
   try {
     std::vector<EstimateRow> estimates;
-    Statement rows(database, selectStatement(table(kEstimateTable)));
+    Statement rows = rowsOf(database, table(kEstimateTable));
     while (rows.step()) {
       EstimateRow row;
       row.t = rows.real(1);

@@ -19,8 +19,7 @@ class SessionImages::Impl {
           database_, "SELECT seq, t FROM frame WHERE seq <= ? ORDER BY seq DESC LIMIT 1");
       from_ = std::make_unique<Statement>(database_,
                                           "SELECT seq, t FROM frame WHERE seq > ? ORDER BY seq LIMIT 1");
-      pair_ = std::make_unique<Statement>(database_,
-                                          "SELECT t, t_arrival, codec, left, right FROM frame WHERE seq = ?");
+      pair_ = std::make_unique<Statement>(rowsOf(database_, table(kFrameTable), "WHERE seq = ?"));
     } catch (const SqliteError& error) {
       throw damagedSession(path, error);
     }
@@ -32,11 +31,11 @@ class SessionImages::Impl {
       if (seq < 0) return false;
       pair_->reset();
       pair_->bind(1, seq);
-      if (!pair_->step() || std::abs(pair_->real(0) - t) > reach) return false;
-      out.t = pair_->real(0);
-      out.t_arrival = pair_->real(1);
-      unpack(3, out.t, out.left);
-      unpack(4, out.t, out.right);
+      if (!pair_->step() || std::abs(pair_->real(1) - t) > reach) return false;
+      out.t = pair_->real(1);
+      out.t_arrival = pair_->real(2);
+      unpack(6, out.t, out.left);
+      unpack(7, out.t, out.right);
     } catch (const SqliteError& error) {
       throw damagedSession(path_, error);
     }
@@ -76,9 +75,9 @@ class SessionImages::Impl {
   void unpack(int column, double t, cv::Mat& image) {
     image = cv::Mat();
     if (pair_->isNull(column)) return;
-    const auto decoder = codecs_.find(pair_->integer(2));
+    const auto decoder = codecs_.find(pair_->integer(3));
     if (decoder == codecs_.end() || !decoder->second.decode(pair_->blob(column), image))
-      throw base::InputError({path_.string(), 0, column == 3 ? "frame.left" : "frame.right",
+      throw base::InputError({path_.string(), 0, column == 6 ? "frame.left" : "frame.right",
                               fmt::format("t = {} s", t), "is a damaged image",
                               "Restore the file from a copy"});
   }

@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "core/recording/schema.h"
 #include "core/recording/session_writer.h"
 
 namespace capstan::recording {
 namespace {
 
-const char* const kRecover = "Restore it from a copy, or save the readable part with: sqlite3 FILE .recover";
+const char* const kRecover =
+    "Restore it from a copy, or save what is readable with: capstan-cli recover FILE NEW";
 
 [[noreturn]] void refuse(const std::filesystem::path& path, const std::string& reason,
                          const std::string& remedy) {
@@ -92,9 +92,15 @@ base::InputError damagedSession(const std::filesystem::path& path, const SqliteE
   return base::InputError({path.string(), 0, {}, {}, fmt::format("is damaged: {}", error.what()), kRecover});
 }
 
+bool hasChecks(Database& database) { return database.number("PRAGMA user_version") > 1; }
+
+Statement rowsOf(Database& database, const Table& table, std::string_view rest) {
+  return {database, fmt::format("{} {}", selectStatement(table, hasChecks(database)), rest)};
+}
+
 SessionHeader readHeader(Database& database) {
   std::map<std::string, std::string> value;
-  Statement rows(database, "SELECT key, value FROM header");
+  Statement rows = rowsOf(database, headerTable(), "");
   while (rows.step()) value[rows.text(0)] = rows.text(1);
 
   SessionHeader header;
@@ -110,12 +116,13 @@ SessionHeader readHeader(Database& database) {
   header.own_kinematics = value["reference"] == kOwnKinematics;
   header.reference = value["reference"] == "1" || header.own_kinematics;
   header.base_from_camera = parsePose(value["registration"]);
+  header.rows = value["rows"];
   return header;
 }
 
 std::map<std::int64_t, FrameDecoder> readCodecs(Database& database, const std::string& file) {
   std::map<std::int64_t, FrameDecoder> codecs;
-  Statement rows(database, "SELECT id, name, width, height, fourcc, extradata FROM codec");
+  Statement rows = rowsOf(database, codecTable(), "");
   while (rows.step()) {
     const auto extradata = rows.blob(5);
     const CodecParameters parameters = {rows.text(1),

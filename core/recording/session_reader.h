@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/recording/frame_codec.h"
+#include "core/recording/schema.h"
 #include "core/recording/session_file.h"
 #include "core/recording/sqlite.h"
 
@@ -19,6 +20,10 @@ Database openSession(const std::filesystem::path& path);
 /// Input error that corresponds to an SQLite error while reading `path`.
 base::InputError damagedSession(const std::filesystem::path& path, const SqliteError& error);
 
+/// Whether rows have check sums; a file of schema version 1 has none.
+bool hasChecks(Database& database);
+/// Rows of a table, each verified by its check sum. `rest`: WHERE, ORDER BY.
+Statement rowsOf(Database& database, const Table& table, std::string_view rest = "ORDER BY seq");
 SessionHeader readHeader(Database& database);
 /// Vector of three columns, the first at `column`.
 inline Eigen::Vector3d vectorAt(const Statement& row, int column) {

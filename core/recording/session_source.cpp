@@ -27,7 +27,7 @@ class SessionSource::Impl {
       codecs_ = readCodecs(database_, path.string());
       for (int which = 0; which < kReplayed; ++which) {
         rows_[static_cast<std::size_t>(which)] =
-            std::make_unique<Statement>(database_, selectStatement(table(static_cast<SampleTable>(which))));
+            std::make_unique<Statement>(rowsOf(database_, table(static_cast<SampleTable>(which))));
         advance(which);
       }
     } catch (const SqliteError& error) {

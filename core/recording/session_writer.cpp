@@ -11,7 +11,6 @@
 namespace capstan::recording {
 namespace {
 
-constexpr int kPageSize = 8192;
 constexpr int kGrowth = 1 << 20;  ///< step by which the main file grows [bytes]
 
 double threadSeconds() {
@@ -40,7 +39,7 @@ Database createDatabase(const std::filesystem::path& path, SessionWriter::Durabi
 }
 
 void writeDictionary(Database& database) {
-  Statement insert(database, insertStatement(tables().back()));
+  Statement insert(database, insertStatement(dictionaryTable()));
   const auto write = [&](std::string_view table_name, const Column& column) {
     insert.bind(1, table_name);
     insert.bind(2, column.name);
@@ -51,6 +50,7 @@ void writeDictionary(Database& database) {
   for (const Table& table : tables()) {
     write(table.name, {"", ColumnType::kText, "", table.meaning});
     for (const Column& column : table.columns) write(table.name, column);
+    write(table.name, kCheck);
   }
 }
 
@@ -223,12 +223,14 @@ void SessionWriter::setRegistration(const Eigen::Isometry3d& base_from_camera) {
 }
 
 void SessionWriter::setMarker(const std::string& marker) { put("marker", marker); }
+void SessionWriter::setRobot(const std::string& robot) { put("robot", robot); }
 
 bool SessionWriter::finish() {
   constexpr int kPatience = 200;  // [ms]; the log stays if a reader's transaction takes longer
   insert_ = {};
   page_count_.reset();
   sqlite3_busy_timeout(database_.handle(), kPatience);
+  putRows();
   database_.run("PRAGMA synchronous = NORMAL");
   growBy(database_, 0);
   sqlite3_wal_checkpoint_v2(database_.handle(), nullptr, SQLITE_CHECKPOINT_TRUNCATE, nullptr, nullptr);
@@ -253,13 +255,8 @@ SessionWriter::SizedEncoders& SessionWriter::encodersFor(int width, int height) 
   const auto id = static_cast<std::int64_t>(encoders_.size()) + 1;
   encoders_.push_back({width, height, id, FrameEncoder(width, height), FrameEncoder(width, height)});
   const CodecParameters& parameters = encoders_.back().left.parameters();
-  Statement insert(database_, "INSERT OR REPLACE INTO codec VALUES (?, ?, ?, ?, ?, ?)");
-  insert.bind(1, id);
-  insert.bind(2, parameters.name);
-  insert.bind(3, std::int64_t{parameters.width});
-  insert.bind(4, std::int64_t{parameters.height});
-  insert.bind(5, std::int64_t{parameters.fourcc});
-  insert.bind(6, std::span<const std::uint8_t>(parameters.extradata));
+  Statement insert(database_, insertStatement(codecTable(), "INSERT OR REPLACE"));
+  bindCodec(insert, id, parameters);
   insert.execute();
   return encoders_.back();
 }
@@ -274,11 +271,40 @@ std::span<const std::uint8_t> SessionWriter::pack(FrameEncoder& encoder, const c
   return packet;
 }
 
+/// Writes the numbers of rows, so that a reader notices when rows have vanished. On a full disk it leaves
+/// them out.
+void SessionWriter::putRows() {
+  try {
+    put("rows", countsOf(database_));
+  } catch (const SqliteError& error) {
+    if (error.code() != SQLITE_FULL && error.code() != SQLITE_IOERR) throw;
+  }
+}
+
 void SessionWriter::put(std::string_view key, std::string_view value) {
-  Statement insert(database_, "INSERT OR REPLACE INTO header VALUES (?, ?)");
+  Statement insert(database_, insertStatement(headerTable(), "INSERT OR REPLACE"));
   insert.bind(1, key);
   insert.bind(2, value);
   insert.execute();
+}
+
+void bindCodec(Statement& insert, std::int64_t id, const CodecParameters& parameters) {
+  insert.bind(1, id);
+  insert.bind(2, parameters.name);
+  insert.bind(3, std::int64_t{parameters.width});
+  insert.bind(4, std::int64_t{parameters.height});
+  insert.bind(5, std::int64_t{parameters.fourcc});
+  insert.bind(6, std::span<const std::uint8_t>(parameters.extradata));
+}
+
+std::string countsOf(Database& database) {
+  std::string counts;
+  for (int which = 0; which < kSampleTables; ++which) {
+    const std::string_view name = table(static_cast<SampleTable>(which)).name;
+    counts += fmt::format("{}{} {}", counts.empty() ? "" : ", ", name,
+                          database.number(fmt::format("SELECT count(*) FROM {}", name)));
+  }
+  return counts;
 }
 
 std::string formatPose(const Eigen::Isometry3d& pose) {

@@ -43,6 +43,7 @@ class SessionWriter {
   void write(std::int64_t seq, const SessionEvent& event);
   void setRegistration(const Eigen::Isometry3d& base_from_camera);
   void setMarker(const std::string& marker);
+  void setRobot(const std::string& robot);
 
   /// Moves the write-ahead log into the file and deletes the log; this needs no space on the disk. True: the
   /// session is now a single file. False: another connection reads the session, and the complete log stays
@@ -66,6 +67,7 @@ class SessionWriter {
   SizedEncoders& encodersFor(int width, int height);
   std::span<const std::uint8_t> pack(FrameEncoder& encoder, const cv::Mat& image);
   void put(std::string_view key, std::string_view value);
+  void putRows();
   void makeRoom();
 
   Database database_;
@@ -76,6 +78,11 @@ class SessionWriter {
   double encode_seconds_ = 0.0;
   std::int64_t images_ = 0;
 };
+
+/// Binds a row of table `codec` to its INSERT statement.
+void bindCodec(Statement& insert, std::int64_t id, const CodecParameters& parameters);
+/// Numbers of rows of the tables of samples, "motor 12000, joint 12000, …".
+std::string countsOf(Database& database);
 
 /// Converts base_from_camera to header text (the 16 numbers of the matrix, row by row) and back (nothing if
 /// malformed).

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/recording/row_check.h"
+
 namespace capstan::recording {
 namespace {
 
@@ -25,6 +27,7 @@ Database::Database(const std::filesystem::path& path, Mode mode) {
   if (code != SQLITE_OK) fail(handle, code);
   sqlite3_extended_result_codes(handle, 1);
   sqlite3_busy_timeout(handle, 2000);
+  addRowCheck(handle);
 }
 
 void Database::run(const std::string& sql) {

@@ -1,0 +1,113 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <string>
+
+#include "app/cli/command.h"
+#include "app/cli/console.h"
+#include "app/cli/outputs.h"
+#include "core/base/yaml.h"
+#include "core/recording/recover.h"
+#include "core/robot/description.h"
+
+namespace capstan::cli {
+namespace {
+
+struct RecoverArguments {
+  std::string in, out, robot, json;
+  bool force = false;
+};
+
+std::string wordsOf(const recording::Recovery& recovery) {
+  std::string text = recovery.whole() ? "whole: every row is there and as it was written\n"
+                                      : fmt::format("not whole: {}\n", recovery.fault);
+  text += fmt::format("{:<12}{:>12}{:>12}{:>12}\n", "table", "saved", "damaged", "written");
+  for (const recording::RecoveredRows& rows : recovery.tables)
+    text += fmt::format("{:<12}{:>12}{:>12}{:>12}\n", rows.table, rows.saved, rows.damaged,
+                        rows.written ? std::to_string(*rows.written) : "unknown");
+  for (const recording::LostRows& lost : recovery.lost)
+    text += fmt::format("lost         {} rows between {:.3f} s and {:.3f} s\n", lost.count, lost.after,
+                        lost.before);
+  if (recovery.lost.size() == recording::kMostLost)
+    text += fmt::format("lost         {} rows in all between the first and the last saved one\n",
+                        recovery.lost_rows);
+  if (recovery.pages.missing > 0)
+    text += fmt::format("lost         the end of the file, {} pages\n", recovery.pages.missing);
+  for (const std::string& key : recovery.lost_header)
+    text += fmt::format("lost         header entry {}\n", key);
+  if (!recovery.checked)
+    text += "This file has no check sums (Capstan 0.2 or older): changed numbers in it are not noticed.\n";
+  return text;
+}
+
+nlohmann::json documentOf(const recording::Recovery& recovery, const RecoverArguments& arguments) {
+  nlohmann::json tables = nlohmann::json::object(), lost = nlohmann::json::array();
+  for (const recording::RecoveredRows& rows : recovery.tables)
+    tables[rows.table] = {{"saved", rows.saved},
+                          {"damaged", rows.damaged},
+                          {"written", rows.written ? nlohmann::json(*rows.written) : nlohmann::json()}};
+  for (const recording::LostRows& rows : recovery.lost)
+    lost.push_back({{"rows", rows.count}, {"after", rows.after}, {"before", rows.before}});
+  return {{"in", arguments.in},
+          {"out", recovery.saved() > 0 ? nlohmann::json(arguments.out) : nlohmann::json()},
+          {"whole", recovery.whole()},
+          {"fault", recovery.fault},
+          {"check_sums", recovery.checked},
+          {"tables", tables},
+          {"lost", lost},
+          {"lost_rows", recovery.lost_rows},
+          {"lost_header", recovery.lost_header},
+          {"missing_pages", recovery.pages.missing}};
+}
+
+/// Text of a robot file; empty without one. Throws base::InputError for a file that is none.
+std::string robotText(const std::string& file) {
+  return file.empty() ? std::string() : base::writeYaml(robot::readDescription(file));
+}
+
+ExitCode recover(const RecoverArguments& arguments) {
+  const Output output(arguments.json);
+  checkOutputs({{"OUT", arguments.out}, {"--json", arguments.json}}, {arguments.in, arguments.robot});
+  if (!arguments.force && std::filesystem::exists(arguments.out))
+    refuseFile(arguments.out, "exists", "Give another name, or --force");
+  base::Progress progress;
+  recording::Recovery recovery;
+  {
+    const ProgressLine line(progress);
+    recovery =
+        recording::recoverSession(arguments.in, arguments.out, {robotText(arguments.robot)}, &progress);
+  }
+  if (progress.cancelled()) {
+    notice("cancelled");
+    return kFailed;
+  }
+  output.text(recovery.saved() > 0 ? fmt::format("{}\n", arguments.out) + wordsOf(recovery)
+                                   : fmt::format("{}: nothing to save\n", arguments.in));
+  output.json(documentOf(recovery, arguments));
+  if (recovery.saved() == 0) return kFailed;
+  return recovery.whole() ? kOk : kIncomplete;
+}
+
+}  // namespace
+
+void addRecover(CLI::App& app, ExitCode& exit) {
+  auto arguments = std::make_shared<RecoverArguments>();
+  CLI::App* command =
+      app.add_subcommand("recover", "Save what is left of a damaged session file into a new one");
+  command->add_option("IN", arguments->in, "session file; it is not changed")->required();
+  command->add_option("OUT", arguments->out, "session file to write")->required();
+  command->add_option("--robot", arguments->robot, "robot file, for a session whose own is lost");
+  command->add_flag("--force", arguments->force, "overwrite an existing file");
+  command->add_option("--json", arguments->json, "result as JSON: a file, or - for standard output");
+  command->footer(
+      "Exit codes: 0 the file was whole, 3 rows are lost (they are listed), 1 nothing to save.\n"
+      "Every row is verified by its check sum, and only rows that are as they were written are saved.\n"
+      "Example:\n"
+      "  capstan-cli recover damaged.capstan saved.capstan");
+  command->callback([arguments, &exit] { exit = recover(*arguments); });
+}
+
+}  // namespace capstan::cli

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+/// Rows of an SQLite 3 database, read from its pages without SQLite (SQLite, Database File Format): what is
+/// left of a damaged file. For core/recording only.
+namespace capstan::recording {
+
+/// A stored value: NULL, INTEGER, REAL, TEXT or BLOB.
+using Value = std::variant<std::monostate, std::int64_t, double, std::string, std::vector<std::uint8_t>>;
+
+/// A row as it is stored; a column that is INTEGER PRIMARY KEY is NULL and its value is the row id.
+struct StoredRow {
+  std::int64_t id = 0;
+  std::vector<Value> values;
+};
+
+/// What a scan of the pages met.
+struct PageCounts {
+  std::uint64_t pages = 0;       ///< pages in the file and its write-ahead log
+  std::uint64_t unreadable = 0;  ///< cells of table leaves that are no row
+  std::uint64_t missing = 0;     ///< pages that the file's header states and the file lacks
+};
+
+/// Pages of a database file and of the write-ahead log beside it.
+class SqlitePages {
+ public:
+  /// Throws base::InputError if `path` cannot be read.
+  explicit SqlitePages(const std::filesystem::path& path, std::uint32_t page_size);
+
+  /// Schema version (PRAGMA user_version) in the file's header; nothing if the header is damaged.
+  std::optional<std::uint32_t> version() const { return version_; }
+  /// Hands every row of every table leaf but those of page 1 (the schema) to `row`, in the order of the
+  /// pages; rows of the log come last. Stops when `row` returns false.
+  PageCounts scan(const std::function<bool(StoredRow&&)>& row);
+
+ private:
+  void readHeader();
+  void readLog();
+  bool read(std::ifstream& from, std::uint64_t offset, std::vector<std::uint8_t>& page) const;
+  std::optional<std::vector<std::uint8_t>> payload(const std::vector<std::uint8_t>& page, std::size_t at,
+                                                   std::uint64_t size);
+  bool readPage(std::uint32_t number, std::vector<std::uint8_t>& page);
+  std::optional<StoredRow> rowAt(const std::vector<std::uint8_t>& page, std::size_t at);
+  bool scanPage(const std::vector<std::uint8_t>& page, PageCounts& counts,
+                const std::function<bool(StoredRow&&)>& row);
+
+  std::uint32_t page_size_;
+  std::ifstream file_, log_;
+  std::uint64_t file_bytes_ = 0;
+  std::optional<std::uint32_t> version_;
+  std::uint32_t stated_pages_ = 0;
+  struct LogPage {
+    std::uint32_t number;
+    std::uint64_t offset;
+  };
+  std::vector<LogPage> log_pages_;  ///< in the order of writing
+};
+
+}  // namespace capstan::recording
