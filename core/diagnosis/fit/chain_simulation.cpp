@@ -213,7 +213,8 @@ int ChainSimulation::stepsFor(const robot::ChainModel& model) const {
 double ChainSimulation::workOf(int steps) const {
   std::size_t rows = 0;
   for (const Window& window : windows_) rows += window.end - window.begin;
-  return static_cast<double>(rows) * steps * joints_;
+  const int each = evidence_.drive == DriveKind::kRigid ? joints_ : 1;
+  return static_cast<double>(rows) * steps * joints_ * each;
 }
 
 robot::ChainState<double> ChainSimulation::initialState(const robot::ChainModel& model,

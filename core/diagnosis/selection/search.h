@@ -32,8 +32,8 @@ struct SearchResult {
 };
 /// Work of the simulations (FitData::work()) after which a search begins no further fits. It ends searches of
 /// robots with many joints, whose sets have many neighbours. Most searches of a recording of 60 s of a
-/// cable-driven arm with three joints take less than a quarter of it.
-inline constexpr double kMostWork = 2e9;
+/// cable-driven arm with three joints take less than half of it.
+inline constexpr double kMostWork = 1e9;
 
 /// Best-first search over sets of effects. Sets are ordered by PredictiveScore plus logPrior(). The expansion
 /// of a set tests every hypothesis on every joint with score tests and adds the most likely ones in short
