@@ -14,6 +14,8 @@ std::string recordingKinds() {
 
 std::string tablePatterns() { return "*" + table_files::tableSuffixes(" *"); }
 
-std::string recordingPatterns() { return std::string("*") + kSessionSuffix + " " + tablePatterns() + " *.bag"; }
+std::string recordingPatterns() {
+  return std::string("*") + kSessionSuffix + " " + tablePatterns() + " *.bag";
+}
 
 }  // namespace capstan::recording

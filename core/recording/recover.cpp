@@ -9,7 +9,6 @@
 #include <set>
 #include <utility>
 
-#include "core/base/error.h"
 #include "core/base/part_file.h"
 #include "core/recording/row_check.h"
 #include "core/recording/schema.h"
@@ -229,6 +228,8 @@ std::int64_t Recovery::saved() const {
   for (const RecoveredRows& table : tables) sum += table.saved;
   return sum;
 }
+
+bool isRecoverable(const base::InputError& error) { return error.fault().remedy == kRecoverRemedy; }
 
 std::string faultOf(const std::filesystem::path& session, base::Progress* progress) {
   try {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/error.h"
 #include "core/base/progress.h"
 #include "core/recording/sqlite_pages.h"
 
@@ -54,6 +55,9 @@ inline constexpr std::size_t kMostLost = 100;
 /// or if `to` cannot be written.
 Recovery recoverSession(const std::filesystem::path& from, const std::filesystem::path& to,
                         const RecoverOptions& options = {}, base::Progress* progress = nullptr);
+
+/// Whether the error is that of a damaged session, of which recoverSession() may save something.
+bool isRecoverable(const base::InputError& error);
 
 /// Why the session is not whole: reads and verifies every row. Empty: it is whole.
 std::string faultOf(const std::filesystem::path& session, base::Progress* progress = nullptr);

@@ -8,9 +8,6 @@
 namespace capstan::recording {
 namespace {
 
-const char* const kRecover =
-    "Restore it from a copy, or save what is readable with: capstan-cli recover FILE NEW";
-
 [[noreturn]] void refuse(const std::filesystem::path& path, const std::string& reason,
                          const std::string& remedy) {
   throw base::InputError({path.string(), 0, {}, {}, reason, remedy});
@@ -44,7 +41,8 @@ void checkIdentity(Database& database, const std::filesystem::path& path) {
     refuse(path, fmt::format("has schema version {}, this program knows up to {}", version, kSchemaVersion),
            "Open it with a newer Capstan");
   for (const Table& table : tables())
-    if (!database.hasTable(table.name)) refuse(path, fmt::format("lacks the table {}", table.name), kRecover);
+    if (!database.hasTable(table.name))
+      refuse(path, fmt::format("lacks the table {}", table.name), kRecoverRemedy);
 }
 
 /// `file:` URI of `path` as an immutable file, for which SQLite needs neither locks nor additional files.
@@ -89,7 +87,8 @@ base::InputError damagedSession(const std::filesystem::path& path, const SqliteE
   if (error.code() == SQLITE_NOTADB) return notASession(path);
   if (error.code() == SQLITE_BUSY)
     return base::InputError({path.string(), 0, {}, {}, "is locked by another program", "Close that program"});
-  return base::InputError({path.string(), 0, {}, {}, fmt::format("is damaged: {}", error.what()), kRecover});
+  return base::InputError(
+      {path.string(), 0, {}, {}, fmt::format("is damaged: {}", error.what()), kRecoverRemedy});
 }
 
 bool hasChecks(Database& database) { return database.number("PRAGMA user_version") > 1; }

@@ -17,6 +17,10 @@ namespace capstan::recording {
 /// complete session of a known version.
 Database openSession(const std::filesystem::path& path);
 
+/// Remedy of a damaged session.
+inline constexpr const char* kRecoverRemedy =
+    "Restore it from a copy, or save what is readable with: capstan-cli recover FILE NEW";
+
 /// Input error that corresponds to an SQLite error while reading `path`.
 base::InputError damagedSession(const std::filesystem::path& path, const SqliteError& error);
 

@@ -33,9 +33,11 @@
 #include "widgets/shell/monitor_controller.h"
 #include "widgets/shell/motor_controller.h"
 #include "widgets/shell/plots_controller.h"
+#include "widgets/shell/recover_controller.h"
 #include "widgets/shell/registration_controller.h"
 #include "widgets/shell/replay_controller.h"
 #include "widgets/shell/session_bar.h"
+#include "widgets/shell/source_menu.h"
 #include "widgets/video/stereo_view.h"
 
 namespace capstan::widgets {
@@ -77,6 +79,8 @@ void MainWindow::addDocks() {
   new IdentificationController(*identification_, *identification, link_, *bar_, *notes_, this);
   auto* errors = new AnalysisController(analysis_->errors(), *centre_, link_, *bar_, *errors_, *notes_, this);
   export_ = new ExportController({*figure_, *notes_, *messages_, *export_news_}, *errors, link_, *bar_, this);
+  auto* recover = new RecoverController(*messages_, *export_news_, link_, this);
+  connect(&bar_->sources(), &SourceMenu::recoverRequested, recover, &RecoverController::askDamaged);
   new DiagnosisController(*diagnosis_, *centre_, link_, *bar_, *identification_, *notes_, this);
   new LearningController(*learning_, *centre_, link_, *bar_, *notes_, this);
   auto* in_the_centre = new QActionGroup(this);  // one at a time, or the plots

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/recording/recover.h"
 #include "core/recording/disk_space.h"
 #include "core/recording/session_file.h"
 #include "core/tracking/make_pipeline.h"
@@ -115,10 +116,19 @@ void SessionLink::finishOpening() {
       begin(std::move(runner), choice_);
   } catch (const recording::ImplausibleUnits& refused) {
     if (!waiting_) Q_EMIT unitsAsked(refused, choice_);
+  } catch (const base::InputError& error) {
+    if (!waiting_) refuse(error);
   } catch (const std::exception& error) {
     if (!waiting_) Q_EMIT failed(QString::fromStdString(error.what()));
   }
   if (waiting_ && !opening()) beginOpening(*std::exchange(waiting_, std::nullopt));
+}
+
+void SessionLink::refuse(const base::InputError& error) {
+  Q_EMIT failed(QString::fromStdString(error.what()));
+  if (recording::isRecoverable(error))
+    Q_EMIT damaged(QString::fromStdString(error.fault().file),
+                   tr("What is readable can be saved into a new session"));
 }
 
 void SessionLink::listen(const QObject* who, live::Listener listener) {

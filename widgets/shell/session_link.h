@@ -53,6 +53,8 @@ class SessionLink : public QObject {
   /// `choice`: the argument of open() for this source.
   void opened(const capstan::tracking::SourceInfo& info, const capstan::widgets::SourceChoice& choice);
   void failed(const QString& message);
+  /// open() refused a session file that is damaged and may be recovered; failed() was emitted, too.
+  void damaged(const QString& file, const QString& message);
   /// useRobot() has changed the robot; emitted before the notes are written.
   void robotChanged();
   /// open() read a table whose units have to be chosen first (SourceChoice::read_as).
@@ -70,6 +72,7 @@ class SessionLink : public QObject {
   void lookForFrames();
   void beginOpening(const SourceChoice& choice);
   void finishOpening();
+  void refuse(const base::InputError& error);
   void begin(std::unique_ptr<live::Runner> runner, const std::optional<SourceChoice>& choice);
   void retire(std::unique_ptr<live::Runner> runner);
   void hearRetired();

@@ -32,6 +32,9 @@ SourceMenu::SourceMenu(QWidget* parent)
   });
   connect(live_, &LiveDialog::chosen, this,
           [this](const QString& chosen_live) { Q_EMIT chosen(SourceChoice::ofLive(chosen_live)); });
+  auto* recover = addAction(tr("Recover a damaged session…"));
+  recover->setObjectName("recover");
+  connect(recover, &QAction::triggered, this, &SourceMenu::recoverRequested);
   recent_ = new RecentMenu(this);
   addMenu(recent_);
   connect(recent_, &RecentMenu::chosen, this,

@@ -23,6 +23,7 @@ class SourceMenu : public QMenu {
   SimulationDialog& dialog() { return *dialog_; }
 
  signals:
+  void recoverRequested();
   void chosen(const capstan::widgets::SourceChoice& choice);
 
  private:

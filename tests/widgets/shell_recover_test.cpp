@@ -1,0 +1,61 @@
+#include <QAction>
+#include <QFile>
+#include <QFileDialog>
+#include <QLineEdit>
+#include <QToolButton>
+
+#include "tests/widgets/shell_fixture.h"
+#include "widgets/shell/message_bar.h"
+#include "widgets/shell/session_link.h"
+
+namespace capstan::widgets {
+namespace {
+
+/// The button of a message that is shown.
+QToolButton* buttonNamed(MainWindow& window, const QString& text) {
+  for (auto* button : window.findChildren<QToolButton*>())
+    if (button->isVisible() && button->text() == text) return button;
+  return nullptr;
+}
+
+bool says(MainWindow& window, const QString& words) {
+  for (auto* bar : window.findChildren<MessageBar*>())
+    if (bar->isVisible() && bar->message().contains(words)) return true;
+  return false;
+}
+
+QFileDialog* dialogTitled(MainWindow& window, const QString& title) {
+  for (auto* dialog : window.findChildren<QFileDialog*>())
+    if (dialog->isVisible() && dialog->windowTitle() == title) return dialog;
+  return nullptr;
+}
+
+TEST_F(Shell, ADamagedSessionIsRecoveredAndOpened) {
+  commandLine({"simulate", "--duration", "2", "--out", file("a.capstan")});
+  QFile damaged(file("a.capstan"));
+  ASSERT_TRUE(damaged.resize(damaged.size() / 2));
+  const auto window = makeWindow();
+  window->link().open(SourceChoice::ofFile(file("a.capstan")));
+  ASSERT_TRUE(waitFor([&] { return buttonNamed(*window, "Recover…") != nullptr; }));
+  EXPECT_TRUE(says(*window, "is damaged"));
+  buttonNamed(*window, "Recover…")->click();
+  ASSERT_TRUE(waitFor([&] { return dialogTitled(*window, "Save what is left as") != nullptr; }));
+  QFileDialog* dialog = dialogTitled(*window, "Save what is left as");
+  EXPECT_EQ(dialog->selectedFiles(), QStringList{file("a-recovered.capstan")});
+  dialog->selectFile(file("b.capstan"));
+  QTest::keyClick(dialog->findChild<QLineEdit*>(), Qt::Key_Return);
+  ASSERT_TRUE(opened(*window));
+  EXPECT_TRUE(QFile::exists(file("b.capstan")));
+  EXPECT_TRUE(waitFor([&] { return says(*window, "Recovered into"); }));
+}
+
+TEST_F(Shell, AMenuRecoversASessionThatWasNotOpened) {
+  const auto window = makeWindow();
+  auto* recover = window->findChild<QAction*>("recover");
+  ASSERT_NE(recover, nullptr);
+  recover->trigger();
+  EXPECT_TRUE(waitFor([&] { return dialogTitled(*window, "Damaged session") != nullptr; }));
+}
+
+}  // namespace
+}  // namespace capstan::widgets

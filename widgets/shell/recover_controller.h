@@ -1,0 +1,36 @@
+#pragma once
+
+#include <QObject>
+
+#include "core/recording/recover.h"
+#include "widgets/jobs/job.h"
+
+namespace capstan::widgets {
+
+class MessageBar;
+class SessionLink;
+
+/// Recovery of damaged session files, as `capstan-cli recover` does it: asks for the files, works in the
+/// background, opens what was saved and states what is lost.
+class RecoverController : public QObject {
+  Q_OBJECT
+
+ public:
+  RecoverController(MessageBar& faults, MessageBar& news, SessionLink& link, QObject* parent);
+
+  /// Offers to recover a file that was refused as damaged.
+  void offer(const QString& file, const QString& why);
+  void askDamaged();
+  void askNew(const QString& damaged);
+  void recover(const QString& damaged, const QString& saved);
+  bool busy() const { return job_.busy(); }
+
+ private:
+  void show(const recording::Recovery& recovery, const QString& damaged, const QString& saved);
+
+  MessageBar &faults_, &news_;
+  SessionLink& link_;
+  Job job_;
+};
+
+}  // namespace capstan::widgets
