@@ -1,16 +1,23 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/cli/command.h"
 #include "app/cli/console.h"
 #include "app/cli/outputs.h"
 #include "app/cli/recordings.h"
+#include "core/base/error.h"
 #include "core/base/units.h"
+#include "core/base/yaml.h"
 #include "core/recording/measured_table.h"
+#include "core/recording/recording_digest.h"
 #include "core/recording/recording_kinds.h"
 #include "core/recording/session_file.h"
 #include "core/recording/settle_units.h"
@@ -20,7 +27,8 @@ namespace capstan::cli {
 namespace {
 
 struct InfoArguments {
-  std::string file, robot, read_as, json;
+  std::string file, robot, read_as, image, json;
+  int size = 256;
 };
 
 const char* referenceOf(const recording::SessionHeader& header) {
@@ -68,6 +76,19 @@ void infoSession(const std::string& file, const Output& output) {
                {"registered", header.base_from_camera.has_value()},
                {"simulated", !header.truth.empty()},
                {"events", list}});
+}
+
+/// Writes the first left image of a session, at most `size` wide and high [px], as PNG. Throws
+/// base::InputError where the session has no images.
+void saveFirstImage(const std::string& session, const std::string& path, int size) {
+  cv::Mat image = recording::digestOf(session, size).image;
+  if (image.empty())
+    throw base::InputError({session, 0, {}, {}, "has no images", "Choose a session with images for --image"});
+  if (image.rows > size)
+    cv::resize(image, image, {std::max(1, size * image.cols / image.rows), size}, 0.0, 0.0, cv::INTER_AREA);
+  std::vector<unsigned char> png;
+  cv::imencode(".png", image, png);
+  base::writeTextFile(path, {png.begin(), png.end()});
 }
 
 void infoRobot(const std::string& file, const Output& output) {
@@ -171,8 +192,14 @@ void infoTable(const InfoArguments& arguments, RecordingFormat format, const Out
 
 ExitCode info(const InfoArguments& arguments) {
   const Output output(arguments.json);
-  checkOutputs({{"--json", arguments.json}}, {arguments.file, arguments.robot});
+  checkOutputs({{"--json", arguments.json}, {"--image", arguments.image}}, {arguments.file, arguments.robot});
   const RecordingFormat format = detectFormat(arguments.file);
+  if (!arguments.image.empty()) {
+    if (format != RecordingFormat::kSession)
+      throw base::InputError(
+          {arguments.file, 0, {}, {}, "is no session", "Only sessions have a first image (--image)"});
+    saveFirstImage(arguments.file, arguments.image, arguments.size);
+  }
   refuseReadAs(arguments.file, format, readAsOf(arguments.read_as));
   switch (format) {
     case RecordingFormat::kSession:
@@ -199,11 +226,18 @@ void addInfo(CLI::App& app, ExitCode& exit) {
   command->add_option("--robot", arguments->robot,
                       "robot file whose limits are used to check the units of a table or of a RAVEN-II log\n"
                       "(default: the left RAVEN-II)");
+  auto* image =
+      command->add_option("--image", arguments->image, "file for the first left image of a session (PNG)");
+  command->add_option("--size", arguments->size, "largest width and height of --image [px]")
+      ->capture_default_str()
+      ->check(CLI::Range(16, 4096))
+      ->needs(image);
   command->add_option("--json", arguments->json, "result as JSON: a file, or - for standard output");
   command->footer(
       "Examples:\n"
       "  capstan-cli info trial.capstan\n"
-      "  capstan-cli info recording.csv --json -");
+      "  capstan-cli info recording.csv --json -\n"
+      "  capstan-cli info trial.capstan --image first.png");
   command->callback([arguments, &exit] { exit = info(*arguments); });
 }
 

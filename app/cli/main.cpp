@@ -7,9 +7,9 @@
 #include <string>
 
 #include "app/cli/command.h"
+#include "app/cli/libraries.h"
 #include "app/numbers.h"
 #include "core/base/error.h"
-#include "core/base/software.h"
 
 namespace {
 
@@ -45,7 +45,7 @@ int run(int argc, char** argv) {
   using namespace capstan;
   cli::ExitCode exit = cli::kOk;
   CLI::App app(kAbout, "capstan-cli");
-  app.set_version_flag("--version", base::version());
+  app.set_version_flag("--version", versionText("capstan-cli", cli::libraries()));
   app.require_subcommand(1);
   app.get_formatter()->column_width(34);
   cli::addSimulate(app, exit);

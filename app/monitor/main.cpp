@@ -1,3 +1,5 @@
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
 #include <fmt/format.h>
 
 #include <sys/resource.h>
@@ -10,8 +12,8 @@
 
 #include "app/monitor/monitor.h"
 #include "app/numbers.h"
+#include "app/version.h"
 #include "core/base/error.h"
-#include "core/base/software.h"
 
 namespace {
 
@@ -76,12 +78,18 @@ void write(const Report& report, const Options& options) {
     throw capstan::base::InputError({options.report, 0, {}, {}, "cannot be written", "Check the path"});
 }
 
+capstan::LibraryVersions libraries() {
+  int major = 0, minor = 0, revision = 0;
+  glfwGetVersion(&major, &minor, &revision);
+  return {{"OpenCV", cv::getVersionString()}, {"GLFW", fmt::format("{}.{}.{}", major, minor, revision)}};
+}
+
 int run(int argc, char** argv) {
   Options options;
   CLI::App cli(
       "Capstan's stereo monitor: both cameras of a running session, with the arm where the filter has it",
       "capstan-monitor");
-  cli.set_version_flag("--version", capstan::base::version());
+  cli.set_version_flag("--version", capstan::versionText("capstan-monitor", libraries()));
   cli.get_formatter()->column_width(34);
   addOptions(cli, options);
   capstan::checkNumbers(cli);

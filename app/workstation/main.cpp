@@ -9,7 +9,9 @@
 #include <iostream>
 
 #include "app/numbers.h"
+#include "app/version.h"
 #include "app/workstation/arguments.h"
+#include "widgets/scene/vtk_version.h"
 #include "widgets/shell/estimate_publisher.h"
 #include "widgets/shell/main_window.h"
 #include "widgets/shell/monitor_controller.h"
@@ -66,9 +68,17 @@ void planScreenshot(capstan::widgets::MainWindow& window, const Arguments& argum
   });
 }
 
+capstan::LibraryVersions libraries() {
+  auto libraries = capstan::coreLibraries();
+  libraries.emplace_back("Qt", qVersion());
+  libraries.emplace_back("VTK", capstan::widgets::vtkVersionText());
+  return libraries;
+}
+
 int run(int argc, char** argv) {
   Arguments arguments;
   CLI::App cli("Capstan: the workstation's window", "capstan");
+  cli.set_version_flag("--version", capstan::versionText("capstan", libraries()));
   cli.get_formatter()->column_width(34);
   addOptions(cli, arguments);
   capstan::checkNumbers(cli);

@@ -4,9 +4,11 @@
 
 namespace capstan::base {
 
-std::string software() {
+std::string software() { return software("capstan"); }
+
+std::string software(const std::string& program) {
   const std::string revision = CAPSTAN_REVISION;
-  return "capstan " CAPSTAN_VERSION + (revision.empty() ? std::string() : " (" + revision + ")");
+  return program + " " CAPSTAN_VERSION + (revision.empty() ? std::string() : " (" + revision + ")");
 }
 
 std::string version() { return CAPSTAN_VERSION; }

@@ -13,8 +13,9 @@ inline base::InputError withoutRos(const std::string& what) {
                            {},
                            {},
                            "needs ROS 1, without which this program was built",
-                           "Install libroscpp-dev, libsensor-msgs-dev, libgeometry-msgs-dev and "
-                           "librosbag-storage-dev, configure again and build"});
+                           "Install the package capstan-ros. In a build of your own: install libroscpp-dev, "
+                           "libsensor-msgs-dev, libgeometry-msgs-dev and librosbag-storage-dev, and "
+                           "build again"});
 }
 
 }  // namespace capstan::ros1

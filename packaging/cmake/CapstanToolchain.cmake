@@ -22,9 +22,9 @@ endif()
 add_library(capstan_options INTERFACE)
 target_compile_options(capstan_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor
                                                  -Woverloaded-virtual -Werror)
-target_include_directories(capstan_options INTERFACE ${PROJECT_SOURCE_DIR})
+target_include_directories(capstan_options INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)
 
-option(CAPSTAN_ASSERTIONS "Invariants that run per sample (core/base/check.h); OFF for packages" ON)
+option(CAPSTAN_ASSERTIONS "Invariants that run per sample (core/base/check.h)" ON)
 if(NOT CAPSTAN_ASSERTIONS)
   target_compile_definitions(capstan_options INTERFACE CAPSTAN_NO_ASSERTIONS)
 endif()

@@ -6,6 +6,7 @@
 namespace capstan::testing {
 namespace {
 
+using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
 
 TEST_F(Cli, NumbersThatAreNoneAreRefused) {
@@ -44,9 +45,18 @@ TEST_F(Cli, AMotorThatFailsAfterTheEndIsSaid) {
 }
 
 TEST_F(Cli, VersionIsThatOfTheFilesItWrites) {
-  const std::string version = run("--version").out;
+  std::istringstream words(run("--version").out);
+  std::string program, version;
+  words >> program >> version;
+  EXPECT_EQ(program, "capstan-cli");
   const std::string file = simulate("s.capstan", "--no-images --duration 1");
-  EXPECT_THAT(run("info " + file).out, HasSubstr("capstan " + version.substr(0, version.find('\n'))));
+  EXPECT_THAT(run("info " + file).out, HasSubstr("capstan " + version));
+}
+
+TEST_F(Cli, VersionNamesTheLibraries) {
+  const std::string text = run("--version").out;
+  for (const char* library : {"OpenCV", "Eigen", "Ceres", "SQLite", "Qt"})
+    EXPECT_THAT(text, ContainsRegex(std::string("\n") + library + " +[0-9]+\\.[0-9]+"));
 }
 
 }  // namespace

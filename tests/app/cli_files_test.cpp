@@ -82,6 +82,17 @@ TEST_F(CliFiles, PlacesThatCannotBeWrittenAreRefusedBeforeTheWork) {
   EXPECT_FALSE(fs::exists(path("nowhere")));
 }
 
+TEST_F(CliFiles, TheFirstImageOfASessionIsAPngOfTheSize) {
+  const std::string file = simulate("s.capstan", "--duration 1");
+  const Ran ran = run("info " + file + " --image " + path("first") + " --size 64");
+  ASSERT_EQ(ran.exit, 0) << ran.err;
+  const std::string png = textOf("first");
+  ASSERT_GT(png.size(), 24U);
+  EXPECT_EQ(png.substr(1, 3), "PNG");
+  EXPECT_EQ(png[19], 64);  // width, big-endian, in bytes 16 to 19
+  expectRefused("info " + session("n.capstan") + " --image " + path("n.png"), "has no images");
+}
+
 TEST_F(CliFiles, NothingIsReplacedUnasked) {
   const std::string file = simulate("d.capstan", "--trajectory hold --duration 0.3");
   fs::create_directories(path("full"));

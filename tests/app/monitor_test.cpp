@@ -13,7 +13,10 @@ TEST_F(MonitorProgram, UsageErrorsAreExitTwoWithoutADisplay) {
   EXPECT_EQ(help.exit, 0);
   for (const char* option : {"--feed", "--layout", "--full-screen", "--display", "--report", "interleaved"})
     EXPECT_NE(help.out.find(option), std::string::npos) << option;
-  EXPECT_EQ(runShell(program + " --version").exit, 0);
+  const Ran version = runShell(program + " --version");
+  EXPECT_EQ(version.exit, 0);
+  for (const char* text : {"capstan-monitor ", "\nOpenCV ", "\nGLFW "})
+    EXPECT_NE(version.out.find(text), std::string::npos) << version.out;
   for (const char* wrong : {"--no-such-option", "--layout sideways", "--size 10x10", "--display 0",
                             "--duration nan", "--frames 0", "--feed a/b", "--feed ''"})
     EXPECT_EQ(runShell(program + " " + wrong).exit, 2) << wrong;

@@ -42,6 +42,8 @@ TEST(Window, UsageErrorsAreExitTwoWithoutADisplay) {
   EXPECT_NE(run(window + " --show learn").said.find("--show requires --screenshot"), std::string::npos);
   EXPECT_EQ(run(window + " --screenshot a.png --show nothing").exit, 2);
   EXPECT_EQ(run(window + " --help").exit, 0);
+  for (const char* text : {"capstan ", "\nOpenCV ", "\nQt ", "\nVTK "})
+    EXPECT_NE(run(window + " --version").said.find(text), std::string::npos) << text;
   EXPECT_EQ(run(window).exit, 2) << "no display";
 }
 
