@@ -210,13 +210,6 @@ int ChainSimulation::stepsFor(const robot::ChainModel& model) const {
              : kMostSteps;
 }
 
-double ChainSimulation::workOf(int steps) const {
-  std::size_t rows = 0;
-  for (const Window& window : windows_) rows += window.end - window.begin;
-  const int each = evidence_.drive == DriveKind::kRigid ? joints_ : 1;
-  return static_cast<double>(rows) * steps * joints_ * each;
-}
-
 robot::ChainState<double> ChainSimulation::initialState(const robot::ChainModel& model,
                                                         const Eigen::MatrixXd* beyond,
                                                         std::size_t window) const {

@@ -69,9 +69,6 @@ class ChainSimulation {
 
   /// Number of integration steps per row that a robot needs.
   int stepsFor(const robot::ChainModel& model) const;
-  /// Work of the simulation of one robot with this many steps per row: integration steps × joints, and for
-  /// rigid drives, whose joints move each other, × joints again.
-  double workOf(int steps) const;
 
   /// Simulates at most 16 robots, with the largest of their numbers of steps: one column of readings per
   /// robot, in the order of Compared::measured. NaN where a simulation diverged.

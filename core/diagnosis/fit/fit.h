@@ -30,7 +30,8 @@ class FitData {
   bool rigid() const { return rigid_; }
   /// True once the caller's progress is cancelled.
   bool cancelled() const { return progress_ && progress_->cancelled(); }
-  /// Work of all calls of simulate() until now, ChainSimulation::workOf(). The same on every machine.
+  /// Work of all calls of simulate() until now: integration steps × joints of all robots (rigid drives: ×
+  /// joints²). The same on every machine.
   double work() const { return work_; }
   /// True if the zeros of the joint encoders are unknown and are fitted.
   bool zerosFree() const { return zeros_ != EncoderZeros::kKnown; }

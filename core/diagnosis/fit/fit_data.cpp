@@ -103,6 +103,16 @@ void addGroups(const ChainSimulation& simulation, std::size_t recording,
     }
 }
 
+/// Work of the simulation of one robot with this many steps per row: integration steps × joints, and for
+/// rigid drives, whose joints move each other, × joints again.
+double workOf(const ChainSimulation& simulation, int steps) {
+  std::size_t rows = 0;
+  for (const Window& window : simulation.windows()) rows += window.end - window.begin;
+  const double joints = simulation.evidence().joints();
+  const double each = simulation.evidence().drive == DriveKind::kRigid ? joints * joints : joints;
+  return static_cast<double>(rows) * steps * each;
+}
+
 }  // namespace
 
 Eigen::MatrixXd FitData::simulate(const std::vector<robot::ChainModel>& models,
@@ -113,7 +123,7 @@ Eigen::MatrixXd FitData::simulate(const std::vector<robot::ChainModel>& models,
   for (std::size_t r = 0; r < simulations_.size(); ++r)
     addGroups(*simulations_[r], r, models, family, groups);
   for (const Group& group : groups)
-    work_ += static_cast<double>(group.members.size()) * simulations_[group.recording]->workOf(group.steps);
+    work_ += static_cast<double>(group.members.size()) * workOf(*simulations_[group.recording], group.steps);
   base::parallelFor(groups.size(), threads_, [&](std::size_t task) {
     const auto& [r, steps, members] = groups[task];
     std::vector<Robot> robots;
