@@ -8,6 +8,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/console.h"
+#include "app/cli/detect_output.h"
 #include "app/cli/outputs.h"
 #include "core/base/table.h"
 #include "core/base/yaml.h"
@@ -89,12 +90,6 @@ base::Table tableOf(const std::vector<Row>& rows) {
   return table;
 }
 
-nlohmann::json documentOf(const vision::MarkerDetection& marker) {
-  if (!marker.found()) return {{"reason", std::string(base::nameOf(marker.fault))}};
-  return {{"u", marker.centroid.x()}, {"v", marker.centroid.y()},          {"radius", marker.radius},
-          {"sigma", marker.sigma},    {"circularity", marker.circularity}, {"area", marker.area}};
-}
-
 nlohmann::json documentOf(const std::vector<Row>& rows) {
   nlohmann::json list = nlohmann::json::array();
   int detected = 0;
@@ -103,8 +98,8 @@ nlohmann::json documentOf(const std::vector<Row>& rows) {
     nlohmann::json entry = {{"left_image", row.files[0]},
                             {"right_image", row.files[1]},
                             {"detected", row.found()},
-                            {"left", documentOf(row.markers[0])},
-                            {"right", documentOf(row.markers[1])}};
+                            {"left", cli::documentOf(row.markers[0])},
+                            {"right", cli::documentOf(row.markers[1])}};
     if (row.found()) {
       entry["left_u"] = row.markers[0].centroid.x();
       entry["left_v"] = row.markers[0].centroid.y();

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -11,30 +10,23 @@
 #include "app/cli/console.h"
 #include "app/cli/identify_drive.h"
 #include "app/cli/identify_output.h"
+#include "app/cli/identify_run.h"
 #include "app/cli/outputs.h"
 #include "app/cli/recordings.h"
 #include "app/cli/simulation_arguments.h"
-#include "core/base/error.h"
 #include "core/base/same_recording.h"
-#include "core/base/software.h"
 #include "core/base/yaml.h"
 #include "core/experiments/identified.h"
-#include "core/experiments/identify_recording.h"
-#include "core/experiments/identify_trials.h"
-#include "core/identification/identification_data.h"
-#include "core/identification/options.h"
 #include "core/recording/recording_kinds.h"
-#include "core/tracking/source.h"
 
 namespace capstan::cli {
 namespace {
 
 struct IdentifyArguments {
   std::vector<std::string> files;
-  std::string robot, method = "both", parameters = identification::kDefaultParameters, options, out, trace,
-                     tracking_out, read_as, json;
-  int threads = 2;
-  bool simulate = false, exact_camera = false;
+  IdentifyMethods methods;
+  std::string out, trace, tracking_out, read_as, json;
+  bool simulate = false;
   simulation::SimulationRequest simulation;
   IdentifyDriveArguments drive;  ///< arguments for a robot of one joint
 };
@@ -49,10 +41,10 @@ void check(const IdentifyArguments& arguments, const CLI::App& command) {
   if (!arguments.simulate && simulationAsked(command))
     refuseOption("--simulate", {}, "is missing, yet simulation options are given",
                  "Add --simulate or leave them out");
-  if (!arguments.tracking_out.empty() && arguments.exact_camera)
+  if (!arguments.tracking_out.empty() && arguments.methods.exact_camera)
     refuseOption("--tracking-out", arguments.tracking_out,
                  "needs the camera's delay, which is taken as exact", "Leave --exact-camera out");
-  if (!arguments.trace.empty() && arguments.method == "batch")
+  if (!arguments.trace.empty() && arguments.methods.method == "batch")
     refuseOption("--trace", arguments.trace, "needs the dual UKF", "Choose --method dual-ukf or both");
 }
 
@@ -66,7 +58,7 @@ void checkFiles(const IdentifyArguments& arguments) {
         refuseFile(files[i], "is the same recording as " + files[j] + ": it would count twice",
                    "Give each recording once");
   std::vector<std::string> inputs = withFilesOf(arguments.simulation, arguments.files);
-  inputs.insert(inputs.end(), {arguments.robot, arguments.options});
+  inputs.insert(inputs.end(), {arguments.methods.robot, arguments.methods.options});
   checkOutputs({{"--out", arguments.out},
                 {"--trace", arguments.trace},
                 {"--tracking-out", arguments.tracking_out},
@@ -74,53 +66,28 @@ void checkFiles(const IdentifyArguments& arguments) {
                inputs);
 }
 
-/// Writes the tracking options of the recording, with `delay` [s] added to their camera_delay.
-void writeTrackingOptions(tracking::TrackingOptions options, double delay, const std::string& path) {
-  options.camera_delay += delay;
-  base::writeTextFile(path, "# Tracking options with the camera's delay as identified (track --options).\n" +
-                                base::writeYaml(options));
-}
-
-/// Collects all recordings one after the other. `truth` gets the text of the truth file of simulated ones,
-/// `tracking` the tracking options of the first.
-identification::IdentificationData collectAll(IdentifyArguments& arguments, base::Progress& progress,
-                                              std::string& truth, tracking::TrackingOptions& tracking) {
+/// Collects all recordings one after the other.
+CollectedRecordings collectAll(IdentifyArguments& arguments, base::Progress& progress) {
+  CollectedRecordings all;
+  const std::string& robot = arguments.methods.robot;
   if (arguments.simulate) {
-    arguments.simulation.robot = arguments.robot;
-    const auto source = makeSimulation(arguments.simulation);
-    truth = source->info().truth;
-    tracking = tracking::trackingOptionsOf(source->info());
-    return identification::collect(*source, &progress);
+    arguments.simulation.robot = robot;
+    all.add(*makeSimulation(arguments.simulation), {}, progress);
   }
-  std::optional<identification::IdentificationData> all;
   for (const std::string& file : arguments.files) {
     const RecordingFormat format = detectFormat(file);
-    const auto source = openSource(file, format, format == RecordingFormat::kSession ? "" : arguments.robot,
+    const auto source = openSource(file, format, format == RecordingFormat::kSession ? "" : robot,
                                    readAsOf(arguments.read_as));
-    auto data = identification::collect(*source, &progress);
-    if (data.excluded > 0 && data.motors.size() == 0)
-      refuseFile(file,
-                 "has a motor encoder that failed from the beginning: nothing can be identified from it",
-                 "Give a recording with all motor encoders");
-    if (data.openCount() == 0)
-      refuseFile(
-          file, "shows the marker nowhere, or has no registration: nothing can be identified from it",
-          "Register the cameras (capstan-cli track --register), or give a recording with tip positions");
-    truth = source->info().truth;
-    if (!all) tracking = tracking::trackingOptionsOf(source->info());
-    if (all)
-      identification::append(*all, data);
-    else
-      all = std::move(data);
+    all.add(*source, file, progress);
   }
-  return std::move(*all);
+  return all;
 }
 
 /// Robot file of one joint, if it is given: its drive is identified from encoders and load, without cameras.
 std::optional<robot::Description> driveOf(const IdentifyArguments& arguments, const CLI::App& command) {
   std::optional<robot::Description> robot;
-  if (!arguments.robot.empty() && !arguments.simulate)
-    robot = robot::readDescriptionOrDefault(arguments.robot);
+  if (!arguments.methods.robot.empty() && !arguments.simulate)
+    robot = robot::readDescriptionOrDefault(arguments.methods.robot);
   const bool drive = robot && robot->size() == 1;
   for (const char* option : {"--held-out", "--offsets"})
     if (!drive && command.count(option) > 0)
@@ -134,96 +101,29 @@ std::optional<robot::Description> driveOf(const IdentifyArguments& arguments, co
   return robot;
 }
 
-/// Results of the methods, and the data that they used.
-struct Findings {
-  std::string truth;  ///< text of the truth file; empty: not simulated
-  tracking::TrackingOptions tracking;
-  robot::Description recorded;  ///< nominal robot of the recording
-  double duration = 0.0;        ///< duration of the motor samples [s]
-  std::uint64_t excluded = 0, used = 0;
-  std::optional<experiments::Identified> identified;
-
-  double delay() const {
-    const bool by_batch = *identified->choice.method == experiments::Method::kBatch;
-    return (by_batch ? identified->batch->camera : identified->dual->camera).delay;
-  }
-};
-
-void runMethods(const IdentifyArguments& arguments, const identification::IdentificationData& data,
-                base::Progress& progress, Findings& found) {
-  robot::Description nominal = data.robot;
-  if (!arguments.robot.empty()) nominal = robot::readDescriptionOrDefault(arguments.robot);
-  identification::IdentificationOptions options;
-  if (!arguments.options.empty())
-    options = base::readYamlFile<identification::IdentificationOptions>(arguments.options);
-  if (arguments.exact_camera) options.camera = {0.0, 0.0, 0.0};
-  std::optional<identification::ParameterSet> set;
-  try {
-    set.emplace(nominal, arguments.parameters, options.parameters);
-  } catch (const base::InputError& error) {
-    refuseOption("--parameters", error.fault().value, error.fault().reason, error.fault().remedy);
-  }
-  if (progress.cancelled()) return;
-  found.identified = experiments::identifyRecording(data, *set,
-                                                    {.dual = arguments.method != "batch",
-                                                     .batch = arguments.method != "dual-ukf",
-                                                     .camera = options.camera,
-                                                     .threads = arguments.threads},
-                                                    progress);
-}
-
 /// Reads the recordings and runs the methods. Returns nothing if it was cancelled.
 std::optional<Findings> find(IdentifyArguments& arguments) {
   base::Progress progress;
   const ProgressLine line(progress);
-  Findings found;
-  const identification::IdentificationData data =
-      collectAll(arguments, progress, found.truth, found.tracking);
-  if (data.openCount() == 0 && !progress.cancelled())
-    refuseOption("REC", data.title, "shows the marker nowhere",
-                 "Give a recording in which cameras see the tip");
-  found.excluded = data.excluded;
-  found.used = data.motors.size();
-  found.recorded = data.robot;
-  found.duration = data.duration();
-  runMethods(arguments, data, progress, found);
-  if (progress.cancelled()) return std::nullopt;
-  return found;
+  return identifyCollected(collectAll(arguments, progress), arguments.methods, progress);
 }
 
 void writeReport(const IdentifyArguments& arguments, const Findings& found) {
-  if (found.excluded > 0)
-    notice(fmt::format("{} of {} motor samples excluded: an encoder had failed or gave no number",
-                       found.excluded, found.excluded + found.used));
-  const experiments::Identified& identified = *found.identified;
-  const auto& dual = identified.dual;
-  const auto& batch = identified.batch;
-  const TrueValues truth = found.truth.empty()
-                               ? TrueValues{}
-                               : experiments::trueValues(found.truth, found.recorded, identified.set);
+  if (const std::string words = excludedWords(found); !words.empty()) notice(words);
+  const auto& [set, dual, batch, choice] = *found.identified;
   const Output output(arguments.json);
-  output.text(textOf(dual ? &*dual : nullptr, batch ? &*batch : nullptr, truth));
-  nlohmann::json document = {{"motor_samples_excluded", found.excluded}};
-  if (dual) document["dual_ukf"] = jsonOf(*dual, truth);
-  if (batch) document["batch"] = jsonOf(*batch, truth);
-  const auto& method = identified.choice.method;
-  document["result"] = method ? nlohmann::json(base::nameOf(*method)) : nlohmann::json();
-  output.json(document);
-  if (!arguments.trace.empty()) writeTrace(*dual, identified.set, arguments.trace);
+  output.text(textOf(dual ? &*dual : nullptr, batch ? &*batch : nullptr, found.trueValues()));
+  output.json(cli::documentOf(found));
+  if (!arguments.trace.empty()) writeTrace(*dual, set, arguments.trace);
 }
 
 void writeRobot(const IdentifyArguments& arguments, const Findings& found) {
-  experiments::RobotOrigin origin;
+  std::vector<std::string> recordings;
   for (const std::string& file : arguments.files)
-    origin.recordings.push_back(std::filesystem::path(file).filename().string());
+    recordings.push_back(std::filesystem::path(file).filename().string());
   if (arguments.simulate)
-    origin.recordings.push_back(fmt::format("a simulation (seed {})", arguments.simulation.seed));
-  origin.duration = found.duration;
-  origin.method = base::nameOf(*found.identified->choice.method);
-  origin.values = valueLines(found.identified->estimates());
-  origin.software = base::software();
-  base::writeTextFile(arguments.out, experiments::identifiedRobotText(found.identified->set.nominal(),
-                                                                      found.identified->robot(), origin));
+    recordings.push_back(fmt::format("a simulation (seed {})", arguments.simulation.seed));
+  base::writeTextFile(arguments.out, identifiedRobotText(found, recordings));
 }
 
 /// Prints a notice of the failure with the files that were not written. Returns kFailed.
@@ -239,9 +139,9 @@ ExitCode identify(IdentifyArguments& arguments, const CLI::App& command) {
   check(arguments, command);
   if (const auto drive = driveOf(arguments, command)) {
     arguments.drive.files = arguments.files;
-    arguments.drive.robot = arguments.robot;
+    arguments.drive.robot = arguments.methods.robot;
     arguments.drive.read_as = readAsOf(arguments.read_as);
-    arguments.drive.parameters = command.count("--parameters") > 0 ? arguments.parameters : "all";
+    arguments.drive.parameters = command.count("--parameters") > 0 ? arguments.methods.parameters : "all";
     arguments.drive.out = arguments.out;
     arguments.drive.json = arguments.json;
     return identifyDrive(arguments.drive, *drive);
@@ -259,7 +159,7 @@ ExitCode identify(IdentifyArguments& arguments, const CLI::App& command) {
   if (!found->identified->anySeen()) return fail("no parameter is observable in this motion", arguments);
   if (!arguments.out.empty()) writeRobot(arguments, *found);
   if (!arguments.tracking_out.empty())
-    writeTrackingOptions(found->tracking, found->delay(), arguments.tracking_out);
+    base::writeTextFile(arguments.tracking_out, trackingOptionsText(*found));
   return kOk;
 }
 
@@ -272,22 +172,22 @@ void addIdentify(CLI::App& app, ExitCode& exit) {
   command->add_option(
       "REC", arguments->files,
       "recordings of one robot and rig: session (.capstan) or " + recording::measuredTableKinds());
-  command->add_option("--robot", arguments->robot, "nominal robot file; a session contains its own");
+  command->add_option("--robot", arguments->methods.robot, "nominal robot file; a session contains its own");
   addReadAs(*command, arguments->read_as);
-  command->add_option("--method", arguments->method, "dual-ukf, batch, or both (with a comparison)")
+  command->add_option("--method", arguments->methods.method, "dual-ukf, batch, or both (with a comparison)")
       ->capture_default_str()
       ->check(CLI::IsMember({"dual-ukf", "batch", "both"}));
   command
-      ->add_option("--parameters", arguments->parameters,
+      ->add_option("--parameters", arguments->methods.parameters,
                    "parameters to identify: r_l (pulley radius), k_e (cable stiffness), b_e (cable damping), "
                    "f_c (Coulomb\n"
                    "friction) of all joints, or r_l1, k_e2, … of one joint")
       ->capture_default_str();
-  command->add_option("--options", arguments->options,
+  command->add_option("--options", arguments->methods.options,
                       "file of priors and goals (format: resources/identification/default.yaml)");
-  command->add_flag("--exact-camera", arguments->exact_camera,
+  command->add_flag("--exact-camera", arguments->methods.exact_camera,
                     "assume that registration and clock of the cameras are exact, as in the UKF paper");
-  command->add_option("--threads", arguments->threads, "number of worker threads of the batch method")
+  command->add_option("--threads", arguments->methods.threads, "number of worker threads of the batch method")
       ->capture_default_str()
       ->check(CLI::Range(1, 64));
   command->add_option(

@@ -71,8 +71,10 @@ DriveFindings judge(const IdentifyDriveArguments& arguments, const robot::Descri
   return findings;
 }
 
-void writeRobot(const robot::Description& nominal, const DriveFindings& findings,
-                const std::vector<DriveRecording>& training, const std::string& path) {
+}  // namespace
+
+std::string identifiedRobotText(const robot::Description& nominal, const DriveFindings& findings,
+                                const std::vector<DriveRecording>& training) {
   experiments::RobotOrigin origin;
   for (const std::string& file : findings.training)
     origin.recordings.push_back(std::filesystem::path(file).filename().string());
@@ -81,10 +83,30 @@ void writeRobot(const robot::Description& nominal, const DriveFindings& findings
   origin.method = "output-error";
   origin.values = valueLines(findings.report.estimates);
   origin.software = base::software();
-  base::writeTextFile(path, experiments::identifiedRobotText(nominal, findings.report.robot, origin));
+  return experiments::identifiedRobotText(nominal, findings.report.robot, origin);
 }
 
-}  // namespace
+identification::DriveOptions driveOptionsOf(const IdentifyDriveArguments& arguments) {
+  identification::DriveOptions options;
+  options.offsets = base::fromName<OffsetRule>(arguments.offsets).value();
+  return options;
+}
+
+std::optional<DriveFindings> driveFindings(const IdentifyDriveArguments& arguments,
+                                           const robot::Description& nominal,
+                                           const std::vector<DriveRecording>& training,
+                                           const std::vector<DriveRecording>& held_out,
+                                           base::Progress& progress) {
+  const identification::DriveParameters parameters(nominal, arguments.parameters);
+  const identification::DriveOptions options = driveOptionsOf(arguments);
+  identification::DriveReport report =
+      identification::identifyDrive(training, parameters, options, &progress);
+  if (progress.cancelled()) return std::nullopt;
+  if (report.end == identification::BatchEnd::kNoData)
+    refuseFile(arguments.files.front(), "has no joint encoder reading after its first second",
+               "Give a longer recording with q1");
+  return judge(arguments, nominal, training, held_out, options, std::move(report));
+}
 
 ExitCode identifyDrive(const IdentifyDriveArguments& arguments, const robot::Description& nominal) {
   checkRepeats(arguments);
@@ -92,25 +114,20 @@ ExitCode identifyDrive(const IdentifyDriveArguments& arguments, const robot::Des
   inputs.insert(inputs.end(), arguments.held_out.begin(), arguments.held_out.end());
   inputs.push_back(arguments.robot);
   checkOutputs({{"--out", arguments.out}, {"--json", arguments.json}}, inputs);
-  const identification::DriveParameters parameters(nominal, arguments.parameters);
-  identification::DriveOptions options;
-  options.offsets = base::fromName<OffsetRule>(arguments.offsets).value();
-  const std::vector<DriveRecording> training = readAll(arguments.files, arguments, nominal, options.step);
-  const std::vector<DriveRecording> held_out = readAll(arguments.held_out, arguments, nominal, options.step);
-  base::Progress progress;
-  identification::DriveReport report;
+  const double step = driveOptionsOf(arguments).step;
+  const std::vector<DriveRecording> training = readAll(arguments.files, arguments, nominal, step);
+  const std::vector<DriveRecording> held_out = readAll(arguments.held_out, arguments, nominal, step);
+  std::optional<DriveFindings> found;
   {
+    base::Progress progress;
     const ProgressLine line(progress);
-    report = identification::identifyDrive(training, parameters, options, &progress);
+    found = driveFindings(arguments, nominal, training, held_out, progress);
   }
-  if (progress.cancelled()) {
+  if (!found) {
     notice("cancelled: nothing was identified");
     return kFailed;
   }
-  if (report.end == identification::BatchEnd::kNoData)
-    refuseFile(arguments.files.front(), "has no joint encoder reading after its first second",
-               "Give a longer recording with q1");
-  const DriveFindings findings = judge(arguments, nominal, training, held_out, options, std::move(report));
+  const DriveFindings& findings = *found;
   const Output output(arguments.json);
   output.text(textOf(findings));
   output.json({{"drive", jsonOf(findings)}});
@@ -124,7 +141,8 @@ ExitCode identifyDrive(const IdentifyDriveArguments& arguments, const robot::Des
     notice("no parameter is observable in this motion" + not_written);
     return kFailed;
   }
-  if (!arguments.out.empty()) writeRobot(nominal, findings, training, arguments.out);
+  if (!arguments.out.empty())
+    base::writeTextFile(arguments.out, identifiedRobotText(nominal, findings, training));
   return kOk;
 }
 

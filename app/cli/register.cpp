@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <memory>
 #include <optional>
@@ -10,7 +9,7 @@
 #include "app/cli/command.h"
 #include "app/cli/console.h"
 #include "app/cli/outputs.h"
-#include "core/registration/pair_registration.h"
+#include "app/cli/register_output.h"
 #include "core/registration/pair_table.h"
 #include "core/registration/pair_words.h"
 #include "core/vision/registration_file.h"
@@ -24,45 +23,6 @@ struct RegisterArguments {
   std::string pairs, poses, cameras, out, json;
   bool exchange = false;
 };
-
-// A table's points and what they give.
-struct Registered {
-  registration::PairPoints points;
-  std::size_t rows = 0;
-  registration::PairRegistration fit;
-};
-
-nlohmann::json documentOf(const Registered& found) {
-  const auto& fit = found.fit;
-  const Eigen::Quaterniond turn(fit.base_from_camera.rotation());
-  nlohmann::json rejected = nlohmann::json::array(), covariance = nlohmann::json::array();
-  nlohmann::json residuals(found.rows, nullptr), shifts = residuals, skipped = nlohmann::json::array();
-  for (std::size_t i = 0; i < fit.used.size(); ++i) {
-    residuals[found.points.rows[i]] = fit.residuals[i];
-    shifts[found.points.rows[i]] = fit.shifts[i];
-    if (!fit.used[i]) rejected.push_back(found.points.rows[i]);
-  }
-  for (const auto& [row, reason] : found.points.skipped)
-    skipped.push_back({{"row", row}, {"reason", reason}});
-  for (int row = 0; row < 6; ++row) {
-    const Eigen::Matrix<double, 1, 6> line = fit.covariance.row(row);
-    covariance.push_back(std::vector<double>(line.data(), line.data() + 6));
-  }
-  return {{"base_from_camera",
-           {{"position", toJson(fit.base_from_camera.translation())},
-            {"quaternion", {turn.x(), turn.y(), turn.z(), turn.w()}}}},
-          {"rms", fit.rms},
-          {"leave_one_out_rms", fit.leave_one_out_rms},
-          {"sigma", fit.sigma},
-          {"covariance", covariance},
-          {"residuals", residuals},
-          {"shifts", shifts},
-          {"rows", found.rows},
-          {"used", fit.used.size() - rejected.size()},
-          {"rejected", rejected},
-          {"skipped", skipped},
-          {"warning", registration::warningOf(fit)}};
-}
 
 std::string wordsOf(const Registered& found) {
   const auto& fit = found.fit;
@@ -91,25 +51,8 @@ std::string wordsOf(const Registered& found) {
 Registered registered(const RegisterArguments& arguments) {
   std::optional<vision::Triangulator> triangulator;
   if (!arguments.cameras.empty()) triangulator.emplace(vision::readRig(arguments.cameras));
-  auto rows = registration::readPairTable(arguments.pairs, arguments.poses);
-  const bool pixels = std::ranges::any_of(rows, [](const auto& row) { return row.pixels.has_value(); });
-  if (pixels && !triangulator)
-    refuseFile(arguments.pairs, "pixels need the calibrated cameras", "Give --cameras FOLDER");
-  if (arguments.exchange) rows = registration::exchanged(std::move(rows));
-  auto points = registration::pointsOf(rows, triangulator);
-  const auto fit = registration::registerPairs(points.pairs);
-  if (fit) return {std::move(points), rows.size(), *fit};
-  if (pixels && registration::areExchanged(rows, *triangulator))
-    refuseFile(arguments.pairs, "the left and the right pixels are exchanged",
-               arguments.exchange ? "Leave out --exchange" : "Give --exchange, or exchange the columns");
-  if (!points.skipped.empty() && 2 * points.pairs.size() < rows.size())
-    refuseFile(
-        arguments.pairs,
-        fmt::format("{} of {} rows have no pair of points; row {}: {}", points.skipped.size(), rows.size(),
-                    points.skipped.front().row, points.skipped.front().reason),
-        "Add poses in which both cameras see the marker; check that the cameras' calibration is theirs");
-  const auto [reason, remedy] = registration::wordsOf(fit.error());
-  refuseFile(arguments.pairs, reason, remedy);
+  return registerRows(registration::readPairTable(arguments.pairs, arguments.poses), triangulator,
+                      arguments.exchange, arguments.pairs);
 }
 
 ExitCode run(const RegisterArguments& arguments) {
@@ -118,7 +61,7 @@ ExitCode run(const RegisterArguments& arguments) {
   if (!arguments.out.empty()) vision::writeRegistration(found.fit.base_from_camera, arguments.out);
   const Output output(arguments.json);
   output.text(wordsOf(found));
-  output.json(documentOf(found));
+  output.json(cli::documentOf(found));
   return kOk;
 }
 

@@ -204,9 +204,7 @@ ExitCode track(TrackArguments& arguments, const CLI::App& command) {
   report.lost = tracking::lostOf(source->sides());
   const auto health = tracking::healthOf(report, info.robot, options.memory);
   std::string text = textOf(report, info, spent.count()) + healthText(health);
-  nlohmann::json document = jsonOf(report, info);
-  document["health"] = healthJson(health);
-  document["title"] = info.title;
+  nlohmann::json document = cli::documentOf(report, info, health, arguments.estimator_robot);
   if (study && report.frames > 0) {
     text += study->text();
     document["centroid"] = study->json();
@@ -225,10 +223,6 @@ ExitCode track(TrackArguments& arguments, const CLI::App& command) {
     document["live"] = jsonOf(source->sides());
   }
   text += robotText(arguments, info.robot);
-  document["robot"] = {
-      {"name", info.robot.name},
-      {"file",
-       arguments.estimator_robot.empty() ? nlohmann::json() : nlohmann::json(arguments.estimator_robot)}};
   if (text_here) output.text(text);
   output.json(document);
   if (report.cancelled) notice("cancelled: the numbers cover the time until then");

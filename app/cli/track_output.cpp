@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "app/cli/console.h"
+#include "app/cli/health_output.h"
 #include "core/base/error.h"
 #include "core/table_files/table_kind.h"
 #include "core/tracking/transmission_text.h"
@@ -154,6 +155,18 @@ nlohmann::json jsonOf(const TrackReport& report, const tracking::SourceInfo& inf
           {"late_dropped", report.late_dropped},
           {"first_t", report.first_t},
           {"last_t", report.last_t}};
+}
+
+nlohmann::json documentOf(const TrackReport& report, const tracking::SourceInfo& info,
+                          const std::vector<tracking::HealthCheck>& health,
+                          const std::string& estimator_robot) {
+  nlohmann::json document = jsonOf(report, info);
+  document["health"] = healthJson(health);
+  document["title"] = info.title;
+  document["robot"] = {
+      {"name", info.robot.name},
+      {"file", estimator_robot.empty() ? nlohmann::json() : nlohmann::json(estimator_robot)}};
+  return document;
 }
 
 namespace {

@@ -5,12 +5,14 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/base/part_file.h"
 #include "core/estimation/consistency.h"
 #include "core/estimation/nis_verdict.h"
 #include "core/live/streams/row_stream.h"
 #include "core/recording/estimate_rows.h"
+#include "core/tracking/health.h"
 #include "core/tracking/sample.h"
 #include "core/tracking/snapshot.h"
 #include "core/tracking/source.h"
@@ -43,6 +45,11 @@ std::string textOf(const tracking::TrackReport& report, const tracking::SourceIn
 /// "samples": …, "reference": …, …}. It has no computing times, so that the same input gives the same
 /// document.
 nlohmann::json jsonOf(const tracking::TrackReport& report, const tracking::SourceInfo& info);
+/// That JSON with the health of the estimator, the title of the recording and the robot of the filter:
+/// `info.robot`, of the file `estimator_robot` where it is not empty.
+nlohmann::json documentOf(const tracking::TrackReport& report, const tracking::SourceInfo& info,
+                          const std::vector<tracking::HealthCheck>& health,
+                          const std::string& estimator_robot);
 
 /// Writer of estimates, one row per motor sample and per camera sample (recording::EstimateRows), to a file
 /// or to other programs. Of a recording, a former file stays until the new one is complete. Of a live

@@ -32,6 +32,7 @@ void squareInto(double scale, const Eigen::MatrixXd& a, double before, Eigen::Ma
 }  // namespace
 
 void setDenseThreads(int threads) { openblas_set_num_threads(threads); }
+int denseThreads() { return openblas_get_num_threads(); }
 
 bool choleskyInPlace(Eigen::MatrixXd& a) {
   CAPSTAN_ASSERT(a.rows() == a.cols());

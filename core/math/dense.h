@@ -9,6 +9,8 @@ namespace capstan::math {
 
 /// Sets the number of BLAS threads of the whole process. Use 1 when several threads call these.
 void setDenseThreads(int threads);
+/// That number.
+int denseThreads();
 
 /// Cholesky factor A = L Lᵀ in place, L in the lower triangle (dpotrf). Returns false when A is not positive
 /// definite; A is then invalid.

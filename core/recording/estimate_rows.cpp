@@ -57,47 +57,64 @@ constexpr const char* kColumns =
     "t,camera,t_cam,q_kin1,q_kin2,q_kin3,q_cam1,q_cam2,q_cam3,q_ukf1,q_ukf2,q_ukf3,dq_ukf1,dq_ukf2,dq_ukf3,"
     "sigma_ukf1,sigma_ukf2,sigma_ukf3,q1,q2,q3,gate,nis\n";
 
+EstimateNumbers numbersOf(const tracking::Snapshot& s, const Vector3d& reference) {
+  const bool camera = s.camera_updated;
+  const double none = std::nan("");
+  return {.t = s.t,
+          .camera = camera,
+          .t_cam = camera ? s.t_cam : none,
+          .q_kin = s.q_link_kin,
+          .q_cam = camera ? s.q_link_cam : kNone,
+          .q_ukf = s.q_link_ukf,
+          .dq_ukf = s.dq_link_ukf,
+          .sigma_ukf = s.q_link_ukf_sigma,
+          .q = reference,
+          .gate = s.gate,
+          .nis = camera ? s.nis : none};
+}
+
+std::string lineOf(RowFormat format, const EstimateNumbers& numbers) {
+  Row row(format);
+  row.number("t", numbers.t);
+  row.flag("camera", numbers.camera);
+  row.number("t_cam", numbers.t_cam);
+  row.joints("q_kin", numbers.q_kin);
+  row.joints("q_cam", numbers.q_cam);
+  row.joints("q_ukf", numbers.q_ukf);
+  row.joints("dq_ukf", numbers.dq_ukf);
+  row.joints("sigma_ukf", numbers.sigma_ukf);
+  row.joints("q", numbers.q);
+  row.word("gate", base::nameOf(numbers.gate));
+  row.number("nis", numbers.nis);
+  return row.line();
+}
+
 }  // namespace
 
-EstimateRows::EstimateRows(RowFormat format, std::function<void(const std::string&)> row)
-    : format_(format), row_(std::move(row)), reference_(kNone) {}
+EstimateSequence::EstimateSequence(std::function<void(const EstimateNumbers&)> row) : row_(std::move(row)) {}
 
-std::string EstimateRows::header() const { return format_ == RowFormat::kCsv ? kColumns : ""; }
-
-void EstimateRows::add(const tracking::Sample& sample, const tracking::Snapshot& snapshot) {
+void EstimateSequence::add(const tracking::Sample& sample, const tracking::Snapshot& snapshot) {
   if (std::holds_alternative<tracking::MotorSample>(sample)) {
     flush();
-    motor_row_ = snapshot;
-    reference_ = snapshot.reference_paired ? snapshot.q_link_true : kNone;
+    motor_row_ = numbersOf(snapshot, snapshot.reference_paired ? snapshot.q_link_true : kNone);
   } else if (std::holds_alternative<tracking::JointSample>(sample)) {
-    if (snapshot.reference_paired) reference_ = snapshot.q_link_true;
+    if (snapshot.reference_paired && motor_row_) motor_row_->q = snapshot.q_link_true;
   } else {
     flush();
-    give(snapshot, snapshot.q_link_true_cam);
+    row_(numbersOf(snapshot, snapshot.q_link_true_cam));
   }
 }
 
-void EstimateRows::flush() {
-  if (motor_row_) give(*motor_row_, reference_);
+void EstimateSequence::flush() {
+  if (motor_row_) row_(*motor_row_);
   motor_row_.reset();
 }
 
-void EstimateRows::give(const tracking::Snapshot& s, const Vector3d& reference) const {
-  const bool camera = s.camera_updated;
-  const double none = std::nan("");
-  Row row(format_);
-  row.number("t", s.t);
-  row.flag("camera", camera);
-  row.number("t_cam", camera ? s.t_cam : none);
-  row.joints("q_kin", s.q_link_kin);
-  row.joints("q_cam", camera ? s.q_link_cam : kNone);
-  row.joints("q_ukf", s.q_link_ukf);
-  row.joints("dq_ukf", s.dq_link_ukf);
-  row.joints("sigma_ukf", s.q_link_ukf_sigma);
-  row.joints("q", reference);
-  row.word("gate", base::nameOf(s.gate));
-  row.number("nis", camera ? s.nis : none);
-  row_(row.line());
-}
+EstimateRows::EstimateRows(RowFormat format, std::function<void(const std::string&)> row)
+    : format_(format), rows_([format, give = std::move(row)](const EstimateNumbers& numbers) {
+        give(lineOf(format, numbers));
+      }) {}
+
+std::string EstimateRows::header() const { return format_ == RowFormat::kCsv ? kColumns : ""; }
 
 }  // namespace capstan::recording

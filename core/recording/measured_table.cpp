@@ -151,12 +151,6 @@ MeasuredTable parseRows(const table_files::ColumnReader& columns, const std::str
   return table;
 }
 
-MeasuredTable parse(const table_files::ColumnReader& columns, const std::string& file) {
-  MeasuredTable table = parseRows(columns, file);
-  checkTimes(table, -std::numeric_limits<double>::infinity());
-  return table;
-}
-
 }  // namespace
 
 int MeasuredTable::joints() const {
@@ -166,12 +160,18 @@ int MeasuredTable::joints() const {
   return static_cast<int>(most);
 }
 
+MeasuredTable readMeasuredTable(const table_files::ColumnReader& columns, const std::string& file) {
+  MeasuredTable table = parseRows(columns, file);
+  checkTimes(table, -std::numeric_limits<double>::infinity());
+  return table;
+}
+
 MeasuredTable readMeasuredTable(const std::filesystem::path& path) {
-  return parse(table_files::columnsIn(path), path.string());
+  return readMeasuredTable(table_files::columnsIn(path), path.string());
 }
 
 MeasuredTable parseMeasuredTable(std::string_view text, const std::string& file) {
-  return parse(table_files::columnsOfCsv(text, file), file);
+  return readMeasuredTable(table_files::columnsOfCsv(text, file), file);
 }
 
 void checkTimes(const MeasuredTable& table, double before) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/table_files/named_column.h"
+#include "core/table_files/read_columns.h"
 #include "core/table_files/table_lines.h"
 
 namespace capstan::recording {
@@ -38,6 +39,8 @@ struct MeasuredTable {
 /// a missing t, a cell that is not a number, a wrong number of cells, t not strictly increasing, a joint's
 /// column missing between others (q_m1, q_m3), or a column given twice.
 MeasuredTable readMeasuredTable(const std::filesystem::path& path);
+/// The same of columns that are in memory; `file` names them in errors.
+MeasuredTable readMeasuredTable(const table_files::ColumnReader& columns, const std::string& file);
 /// Parses the text of such a CSV; `file` names it in errors.
 MeasuredTable parseMeasuredTable(std::string_view text, const std::string& file);
 /// The same without the order of times: rows of a live stream, of which some may be repeated.

@@ -89,11 +89,15 @@ PosePaths pathsOf(const Columns& columns, const std::string& file) {
 }  // namespace
 
 PosePaths parsePosePaths(std::string_view text, const std::string& file) {
-  return pathsOf(columnsOf(table_files::columnsOfCsv(text, file), file), file);
+  return readPosePaths(table_files::columnsOfCsv(text, file), file);
+}
+
+PosePaths readPosePaths(const table_files::ColumnReader& columns, const std::string& file) {
+  return pathsOf(columnsOf(columns, file), file);
 }
 
 PosePaths readPosePaths(const std::filesystem::path& path) {
-  return pathsOf(columnsOf(table_files::columnsIn(path), path.string()), path.string());
+  return readPosePaths(table_files::columnsIn(path), path.string());
 }
 
 std::vector<learning::State> statesOf(const PosePaths& paths) {

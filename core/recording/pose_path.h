@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/learning/model/command_correction.h"
+#include "core/table_files/read_columns.h"
 
 namespace capstan::recording {
 
@@ -27,6 +28,8 @@ struct PosePaths {
 /// than 1 %, or stamps that do not increase.
 PosePaths parsePosePaths(std::string_view text, const std::string& file);
 PosePaths readPosePaths(const std::filesystem::path& path);
+/// The same of columns that are in memory; `file` names them in errors.
+PosePaths readPosePaths(const table_files::ColumnReader& columns, const std::string& file);
 
 /// States of the paths as inputs of a model: with velocities if rows have stamps, else at rest.
 std::vector<learning::State> statesOf(const PosePaths& paths);

@@ -116,21 +116,21 @@ std::vector<learning::RawMotion> motionsOf(const Columns& columns, const std::st
   return motions;
 }
 
-std::vector<learning::RawMotion> poseMotions(const table_files::ColumnReader& reader,
-                                             const std::string& file) {
+}  // namespace
+
+std::vector<learning::RawMotion> readPoseTable(const table_files::ColumnReader& reader,
+                                               const std::string& file) {
   const Columns columns = columnsOf(reader, file);
   checkTurns(columns, file);
   return motionsOf(columns, file);
 }
 
-}  // namespace
-
 std::vector<learning::RawMotion> parsePoseTable(std::string_view text, const std::string& file) {
-  return poseMotions(table_files::columnsOfCsv(text, file), file);
+  return readPoseTable(table_files::columnsOfCsv(text, file), file);
 }
 
 std::vector<learning::RawMotion> readPoseTable(const std::filesystem::path& path) {
-  return poseMotions(table_files::columnsIn(path), path.string());
+  return readPoseTable(table_files::columnsIn(path), path.string());
 }
 
 std::vector<learning::RawMotion> parseTipTable(const table_files::ColumnReader& reader,

@@ -23,8 +23,10 @@ inline constexpr std::array<std::string_view, learning::kStreams> kStreamPrefixe
 /// contiguous. No row is excluded (learning::screenPoses does that). Throws base::InputError naming file,
 /// line, column, value and remedy for a missing column, a cell that is not a number, or no rows.
 std::vector<learning::RawMotion> parsePoseTable(std::string_view text, const std::string& file);
-/// The same of a file of any kind of table_files::tableKinds().
+/// The same of a file of any kind of table_files::tableKinds(), and of columns that are in memory.
 std::vector<learning::RawMotion> readPoseTable(const std::filesystem::path& path);
+std::vector<learning::RawMotion> readPoseTable(const table_files::ColumnReader& columns,
+                                               const std::string& file);
 
 /// Motions of several tables, one after the other; each motion has the name of its table, "monday, trajectory
 /// 3". For one table, like readPoseTable(). If cancelled, returns the motions of the tables read so far.

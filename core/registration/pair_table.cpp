@@ -24,10 +24,8 @@ constexpr std::array<Name, 2> kSigmas = {"left_sigma", "right_sigma"};
 
 class Columns {
  public:
-  explicit Columns(const std::filesystem::path& path) : file_(path.string()) {
-    const auto reader = table_files::columnsIn(path);
-    header_ = reader.lines.header();
-    reader.read([&](std::string_view name, std::size_t) -> std::vector<double>* {
+  explicit Columns(const NamedColumns& table) : file_(table.name), header_(table.columns.lines.header()) {
+    table.columns.read([&](std::string_view name, std::size_t) -> std::vector<double>* {
       if (!isKnown(name)) return nullptr;
       const auto [column, added] = values_.try_emplace(std::string(name));
       if (!added) refuse(std::string(name), "the column is given twice", "Remove one");
@@ -79,9 +77,9 @@ class Columns {
 
 }  // namespace
 
-std::vector<PairRow> readPairTable(const std::filesystem::path& pairs, const std::filesystem::path& poses) {
+std::vector<PairRow> readPairTable(const NamedColumns& pairs, const NamedColumns* poses) {
   const Columns seen(pairs);
-  const std::optional<Columns> others = poses.empty() ? std::nullopt : std::optional<Columns>(poses);
+  const std::optional<Columns> others = poses ? std::optional<Columns>(*poses) : std::nullopt;
   const Columns& robot = others ? *others : seen;
   robot.require(kBase, "Give the tip's position in the base frame as x, y, z [m]");
   const bool points = seen.haveAll(kCamera);
@@ -89,7 +87,7 @@ std::vector<PairRow> readPairTable(const std::filesystem::path& pairs, const std
     seen.require(kPixels,
                  "Give the marker as cam_x, cam_y, cam_z [m] or as left_u, left_v, right_u, right_v [px]");
   if (robot.rows() != seen.rows())
-    robot.refuse(kBase[0], fmt::format("{} rows, but {} has {}", robot.rows(), pairs.string(), seen.rows()),
+    robot.refuse(kBase[0], fmt::format("{} rows, but {} has {}", robot.rows(), pairs.name, seen.rows()),
                  "Give one pose for each row, in the same order");
   std::vector<PairRow> rows(seen.rows());
   for (std::size_t row = 0; row < rows.size(); ++row) {
@@ -100,6 +98,13 @@ std::vector<PairRow> readPairTable(const std::filesystem::path& pairs, const std
       rows[row].pixels = seen.pixels(row);
   }
   return rows;
+}
+
+std::vector<PairRow> readPairTable(const std::filesystem::path& pairs, const std::filesystem::path& poses) {
+  const NamedColumns seen{pairs.string(), table_files::columnsIn(pairs)};
+  if (poses.empty()) return readPairTable(seen, nullptr);
+  const NamedColumns robot{poses.string(), table_files::columnsIn(poses)};
+  return readPairTable(seen, &robot);
 }
 
 PairPoints pointsOf(const std::vector<PairRow>& rows,

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/registration/pair_registration.h"
+#include "core/table_files/read_columns.h"
 #include "core/vision/triangulation.h"
 
 namespace capstan::registration {
@@ -32,6 +33,14 @@ struct PairRow {
 /// rows.
 std::vector<PairRow> readPairTable(const std::filesystem::path& pairs,
                                    const std::filesystem::path& poses = {});
+
+/// A table that is in memory, with its name for errors.
+struct NamedColumns {
+  std::string name;
+  table_files::ColumnReader columns;
+};
+/// The same of such tables; `poses` is null where `pairs` has the poses too.
+std::vector<PairRow> readPairTable(const NamedColumns& pairs, const NamedColumns* poses);
 
 struct SkippedRow {
   std::size_t row = 0;

@@ -1,5 +1,5 @@
 # What `cmake --install` installs, by components that are the Debian packages: capstan (the window), capstan-cli with the
-# resources, capstan-monitor, libcapstan-dev and, with CAPSTAN_ROS_LIBRARY, capstan-ros. Installed programs find
+# resources, capstan-monitor, libcapstan-dev, python3-capstan (app/python) and, with CAPSTAN_ROS_LIBRARY, capstan-ros. Installed programs find
 # share/capstan relative to their own folder, so that the prefix may be moved.
 include(GNUInstallDirs)
 get_property(rooms GLOBAL PROPERTY CAPSTAN_ROOMS)

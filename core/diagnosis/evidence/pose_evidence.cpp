@@ -126,9 +126,7 @@ bool isPoseTable(std::string_view header_line) {
   return has(",traj,") && has(",t_cam_s,") && has(",cam_x,");
 }
 
-namespace {
-
-PoseEvidence evidenceOf(const table_files::ColumnReader& reader, const std::string& file) {
+PoseEvidence readPoseEvidence(const table_files::ColumnReader& reader, const std::string& file) {
   const std::vector<RawMotion> motions = recording::parseTipTable(reader, file);
   PoseEvidence evidence;
   evidence.file = file;
@@ -165,14 +163,12 @@ PoseEvidence evidenceOf(const table_files::ColumnReader& reader, const std::stri
   return evidence;
 }
 
-}  // namespace
-
 PoseEvidence parsePoseEvidence(std::string_view text, const std::string& file) {
-  return evidenceOf(table_files::columnsOfCsv(text, file), file);
+  return readPoseEvidence(table_files::columnsOfCsv(text, file), file);
 }
 
 PoseEvidence readPoseEvidence(const std::filesystem::path& path) {
-  return evidenceOf(table_files::columnsIn(path), path.string());
+  return readPoseEvidence(table_files::columnsIn(path), path.string());
 }
 
 }  // namespace capstan::diagnosis

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/table_files/read_columns.h"
+
 namespace capstan::diagnosis {
 
 /// One pose with its time stamp.
@@ -62,7 +64,8 @@ bool isPoseTable(std::string_view header_line);
 /// a column is missing, if the norm of an orientation differs from 1 by more than 1 %, if stamps go back
 /// within a trajectory, and if no trajectory has two observations and two poses to compare with.
 PoseEvidence parsePoseEvidence(std::string_view text, const std::string& file);
-/// parsePoseEvidence() of a file.
+/// parsePoseEvidence() of a file, and of columns that are in memory.
 PoseEvidence readPoseEvidence(const std::filesystem::path& path);
+PoseEvidence readPoseEvidence(const table_files::ColumnReader& columns, const std::string& file);
 
 }  // namespace capstan::diagnosis

@@ -108,7 +108,7 @@ void addGroups(const ChainSimulation& simulation, std::size_t recording,
 double workOf(const ChainSimulation& simulation, int steps) {
   std::size_t rows = 0;
   for (const Window& window : simulation.windows()) rows += window.end - window.begin;
-  const double joints = simulation.evidence().joints();
+  const double joints = simulation.evidence().joints;
   const double each = simulation.evidence().drive == DriveKind::kRigid ? joints * joints : joints;
   return static_cast<double>(rows) * steps * each;
 }
