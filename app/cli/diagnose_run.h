@@ -16,7 +16,7 @@ struct DiagnoseArguments {
   std::string zeros;        ///< zeros of joint encoders: known, shared, each; empty: options.zeros
   double skip_start = 0.0;  ///< initial time that is not compared [s]
   std::string read_as;      ///< units of tables, in the format of recording::parseReadAs()
-  std::string material;                  ///< as diagnosis::parseTolerance() takes it; empty: its default
+  std::string material;     ///< as diagnosis::parseTolerance() takes it; empty: its default
   diagnosis::DiagnosisOptions options;
 };
 

@@ -101,10 +101,10 @@ ExitCode experiment(ExperimentArguments& arguments) {
 
 void addExperiment(CLI::App& app, ExitCode& exit) {
   auto arguments = std::make_shared<ExperimentArguments>();
-  CLI::App* command = app.add_subcommand(
-      "experiment",
-      "Run experiments of Haghighipanah et al. (the UKF paper: A to D), of Mahler et al. (the GPR paper: E to H),\n"
-      "or of a specification, and compare the results with the paper");
+  CLI::App* command = app.add_subcommand("experiment",
+                                         "Run experiments of Haghighipanah et al. (the UKF paper: A to D), "
+                                         "of Mahler et al. (the GPR paper: E to H),\n"
+                                         "or of a specification, and compare the results with the paper");
   command
       ->add_option("NAME", arguments->name,
                    "A (pulley radius), B (cables), C (errors), D (occlusion), all (A to D), or a "

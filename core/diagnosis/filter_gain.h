@@ -49,8 +49,8 @@ struct FilterGainReport {
 /// it, the RMS is that of tracking with each robot.
 ///
 /// For cable-driven remote-centre arms of three joints. Recordings without joint encoders or cameras are
-/// excluded, with a notice each; a notice gives the reason if the filter cannot run with this robot. The result
-/// does not depend on the number of threads. Throws nothing of its own.
+/// excluded, with a notice each; a notice gives the reason if the filter cannot run with this robot. The
+/// result does not depend on the number of threads. Throws nothing of its own.
 FilterGainReport filterGain(const std::vector<Evidence>& recordings, const FilterRobots& robots,
                             const FilterGainOptions& options = {}, base::Progress* progress = nullptr);
 

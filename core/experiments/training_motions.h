@@ -15,10 +15,10 @@ namespace capstan::experiments {
 /// observed poses are off by centimetres and about ten degrees, and desired poses must lie among the observed
 /// ones. Learning uses the options of learning::learn(), but cleaning is that of the paper, without weights.
 struct TrainingOptions {
-  int motions = 303;                       ///< number of recorded motions
-  double speed = 0.05;                     ///< speed of the tool [m/s]
-  double rest = 0.2;                       ///< recorded time at rest before and after each motion [s]
-  double margin = 0.03;                    ///< margin around the grid of fragments, within which poses are drawn [m]
+  int motions = 303;     ///< number of recorded motions
+  double speed = 0.05;   ///< speed of the tool [m/s]
+  double rest = 0.2;     ///< recorded time at rest before and after each motion [s]
+  double margin = 0.03;  ///< margin around the grid of fragments, within which poses are drawn [m]
   static constexpr double kMostYaw = 0.6;  ///< largest rotation about the jaws' direction [rad]
   double most_tilt = 0.45;                 ///< largest rotation about each of the two axes across it [rad]
   learning::CleaningOptions cleaning;

@@ -27,9 +27,9 @@ struct MotorStep {
 };
 
 /// Advances `x` in place by `steps` classical RK4 steps over `dt` [s] of the process model of UKF paper
-/// (5)–(8), with forward-mode derivatives. The model is that of tracking/cable_arm_kernel.h, but states are not clamped.
-/// Each lane of a register is one tangent; sines, cosines, tanh and sinh are evaluated once for all. The
-/// derivatives are exact for the discrete steps.
+/// (5)–(8), with forward-mode derivatives. The model is that of tracking/cable_arm_kernel.h, but states are
+/// not clamped. Each lane of a register is one tangent; sines, cosines, tanh and sinh are evaluated once for
+/// all. The derivatives are exact for the discrete steps.
 using AdvanceLink = void (*)(const tracking::CableArmConstants& c, const TangentOrder& order,
                              const MotorStep& motor, double dt, int steps, LinkTangents& x);
 

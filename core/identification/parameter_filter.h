@@ -26,10 +26,10 @@ struct MotorInterval {
 /// propagates the arm over an interval of motor samples and gives the tip as the camera measures it.
 ///
 /// Each unknown has a prior of variance 1, as in output_error.h: first each logarithm, then each element of
-/// CameraPose, divided by its prior sigma. The sigma points are at ±√3 times the columns of S, the central-difference rule (van der Merwe 2004,
-/// section 3.4), whose spread does not grow with the number of unknowns. The points advance side by side, one
-/// lane per point with its own cable. S is lower triangular with the cable parameters first, so the points of
-/// the pose need no propagation.
+/// CameraPose, divided by its prior sigma. The sigma points are at ±√3 times the columns of S, the
+/// central-difference rule (van der Merwe 2004, section 3.4), whose spread does not grow with the number of
+/// unknowns. The points advance side by side, one lane per point with its own cable. S is lower triangular
+/// with the cable parameters first, so the points of the pose need no propagation.
 ///
 /// Point i starts an interval from x + Φ (ln w_i − ln w); Φ = d x / d ln w is propagated from interval to
 /// interval. With creeping friction and soft cables, a link depends on its past for longer than a camera

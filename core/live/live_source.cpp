@@ -3,7 +3,6 @@
 #include <limits>
 
 #include "core/base/yaml.h"
-#include "core/base/yaml.h"
 #include "core/live/ros_rows.h"
 #include "core/live/streams/address.h"
 #include "core/live/text_rows.h"

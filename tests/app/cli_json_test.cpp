@@ -67,7 +67,8 @@ TEST_F(CliJson, OfLearningAndDrift) {
   later.seed = 2;
   writeSamplePoses(path("later.csv"), later);
   expectDescribed("learn --train " + path("train.csv") + " --test " + path("later.csv") +
-                  " --method velocity --members 1 --inducing 60 --hold-out 20 --model " + path("m.correction"));
+                  " --method velocity --members 1 --inducing 60 --hold-out 20 --model " +
+                  path("m.correction"));
   expectDescribed("drift --model " + path("m.correction") + " " + path("later.csv"));
 }
 

@@ -57,9 +57,8 @@ TEST(RigidChain, AgreesWithTheIndependentTable) {
   const auto path = sharedFile("raven2-check.csv");
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "no " << path;
   std::map<std::string, std::vector<double>> table;
-  table_files::parseCsv(
-      base::readTextFile(path), path.string(),
-      [&](std::string_view name, std::size_t) { return &table[std::string(name)]; });
+  table_files::parseCsv(base::readTextFile(path), path.string(),
+                        [&](std::string_view name, std::size_t) { return &table[std::string(name)]; });
   const robot::Description robot = raven();
   RigidChain chain(robot);
   ASSERT_EQ(table["q1"].size(), 200U);

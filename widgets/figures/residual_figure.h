@@ -26,7 +26,8 @@ struct ResidualData {
 };
 
 ResidualTrace residualTrace(const diagnosis::ChannelReport& channel, bool extended);
-/// Data of one channel; `report` gives the name of the recording, the explained share and whether causes were added.
+/// Data of one channel; `report` gives the name of the recording, the explained share and whether causes were
+/// added.
 ResidualData residualData(const diagnosis::Report& report, const diagnosis::ChannelReport& channel);
 
 /// A channel over time: measured, and simulated by the nominal, the refitted and the extended model. Below it

@@ -108,7 +108,7 @@ LiveDialog::LiveDialog(QWidget* parent) : QDialog(parent) {
 }
 
 QLineEdit* LiveDialog::addPath(QFormLayout* form, const QString& label, const QString& tip,
-                                const QString& name) {
+                               const QString& name) {
   auto* row = new QWidget;
   auto* line = new QHBoxLayout(row);
   line->setContentsMargins(0, 0, 0, 0);

@@ -67,10 +67,18 @@ void RecoverController::askNew(const QString& damaged) {
   dialog->open();
 }
 
+/// Whether this window records the file: reading it beside SQLite would release the recorder's locks (POSIX).
+bool RecoverController::isRecorded(const QString& file) const {
+  const auto recorder = link_.recording() ? link_.runner()->recorder() : nullptr;
+  return recorder && QFileInfo(QString::fromStdString(recorder->path().string())) == QFileInfo(file);
+}
+
 void RecoverController::recover(const QString& damaged, const QString& saved) {
   if (job_.busy()) return;
   if (QFileInfo(damaged) == QFileInfo(saved))
     return faults_.showMessage(tr("%1 is the damaged file. Choose another name").arg(saved), kAbout);
+  if (isRecorded(damaged))
+    return faults_.showMessage(tr("%1 is under recording. Stop the recording first").arg(damaged), kAbout);
   news_.showNews(tr("Recovering %1").arg(damaged), {{tr("Cancel"), [this] { job_.cancel(); }}});
   job_.start(
       [damaged, saved](base::Progress& progress) {

@@ -26,6 +26,7 @@ class RecoverController : public QObject {
   bool busy() const { return job_.busy(); }
 
  private:
+  bool isRecorded(const QString& file) const;
   void show(const recording::Recovery& recovery, const QString& damaged, const QString& saved);
 
   MessageBar &faults_, &news_;

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "core/base/error.h"
-#include "core/recording/recover.h"
 #include "core/recording/disk_space.h"
+#include "core/recording/recover.h"
 #include "core/recording/session_file.h"
 #include "core/tracking/make_pipeline.h"
 #include "widgets/shell/recorder_options.h"

@@ -18,15 +18,16 @@ namespace capstan::diagnosis {
 /// `robot` gives the drive, the number of joints, the motors' torque limits, and the kinematics that separate
 /// the tips' noise from motion. Throws base::InputError with file, column and remedy if there are neither
 /// joint encoders nor camera tips; if q_m (cable drive) or tau_m (rigid drive) is missing; if the number of
-/// joints is not the robot's; with fewer than kFewestRows rows that are not excluded; and with both fewer encoder readings
-/// than kFewestRows and fewer observations than kFewestObservations.
+/// joints is not the robot's; with fewer than kFewestRows rows that are not excluded; and with both fewer
+/// encoder readings than kFewestRows and fewer observations than kFewestObservations.
 Evidence evidenceOf(const recording::MeasuredTable& table, const robot::Description& robot,
                     const EvidenceOptions& options = {});
 
 /// Evidence of a recording of a three-joint arm with a cable drive, on the grid of its motor samples. Tips
 /// are the tip positions of the tracking pipeline with the recording's own options: from the images, or from
-/// the recording if it has none. Tips that its gate rejects are included and judged by judgeObservations(). The robot is the source's.
-/// Throws as above. If `progress` is cancelled, the evidence holds the samples read until then.
+/// the recording if it has none. Tips that its gate rejects are included and judged by judgeObservations().
+/// The robot is the source's. Throws as above. If `progress` is cancelled, the evidence holds the samples
+/// read until then.
 Evidence evidenceOf(tracking::Source& source, const EvidenceOptions& options = {},
                     base::Progress* progress = nullptr);
 

@@ -28,9 +28,10 @@ struct PoseMotion {
   Eigen::Matrix3Xd observed;   ///< observed positions [m]
 };
 
-/// Motions of all trajectories with observations. Observations are used if they are no outliers (`counts`), lie at least kBefore
-/// after the start of the path (a delay refers to earlier poses) and before its end, and are not in a gap of
-/// the path longer than kLongestGap. Throws base::InputError with fewer than kFewestMotions motions.
+/// Motions of all trajectories with observations. Observations are used if they are no outliers (`counts`),
+/// lie at least kBefore after the start of the path (a delay refers to earlier poses) and before its end, and
+/// are not in a gap of the path longer than kLongestGap. Throws base::InputError with fewer than
+/// kFewestMotions motions.
 std::vector<PoseMotion> motionsOf(const PoseEvidence& evidence, PoseReference reference);
 inline constexpr double kBefore = 0.2, kLongestGap = 0.1;  ///< [s]
 inline constexpr std::size_t kFewestMotions = 20;

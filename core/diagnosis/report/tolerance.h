@@ -10,8 +10,9 @@ namespace capstan::diagnosis {
 /// Displacement of a joint or the tip from which on an effect is material and reported as a cause. Smaller
 /// effects are reported as also measurable. The tolerance changes neither the fits nor the selection.
 struct Tolerance {
-  double angle = 0.02 * base::kRadiansPerDegree;  ///< [rad]; default: four counts of the UKF paper's reference encoders
-  double length = 2e-5;                           ///< [m]; default: four counts of that paper's linear encoder
+  double angle =
+      0.02 * base::kRadiansPerDegree;  ///< [rad]; default: four counts of the UKF paper's reference encoders
+  double length = 2e-5;                ///< [m]; default: four counts of that paper's linear encoder
 };
 
 /// Parses "0.02deg,0.02mm": angle and length in any order. A missing one keeps its default. Units: deg, rad,

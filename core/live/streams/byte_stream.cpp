@@ -85,7 +85,11 @@ std::unique_ptr<ByteStream> openByteStream(const Address& address) {
     case Address::Kind::kFile:
       return openFile(address.path);
     case Address::Kind::kRos:
-      throw base::InputError({"ros:" + address.path, 0, {}, {}, "is a ROS topic, which sends no text",
+      throw base::InputError({"ros:" + address.path,
+                              0,
+                              {},
+                              {},
+                              "is a ROS topic, which sends no text",
                               "Give an address of text"});
     case Address::Kind::kStandardInput:
       break;

@@ -53,7 +53,11 @@ void RowStream::open(const Address& address) {
       name_ = fifo_ = address.path;
       return;
     case Address::Kind::kRos:
-      throw base::InputError({"ros:" + address.path, 0, {}, {}, "is a ROS topic, which takes no text",
+      throw base::InputError({"ros:" + address.path,
+                              0,
+                              {},
+                              {},
+                              "is a ROS topic, which takes no text",
                               "Give a file, a FIFO, tcp://ADDRESS:PORT or - for standard output"});
     case Address::Kind::kStandardInput:
       name_ = "standard output";

@@ -258,8 +258,8 @@ JointVector accelerationsAt(double t, const Description& robot, const Effect& ef
   return accelerationsAt(t, robot, effect, Transmission(robot).homing());
 }
 
-/// With cables coupled: whatever the time, cable 2 is as if the robot had been homed where cable 2 alone is shifted,
-/// A Δq_hs = (0, A_22 by, 0), and its damper feels how fast it moves on.
+/// With cables coupled: whatever the time, cable 2 is as if the robot had been homed where cable 2 alone is
+/// shifted, A Δq_hs = (0, A_22 by, 0), and its damper feels how fast it moves on.
 TEST(ChainStep, aZeroThatDriftsShiftsItsCableAlone) {
   base::Random random(45);
   Description robot = testing::drivenRobot(random, 3);

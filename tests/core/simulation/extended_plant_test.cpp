@@ -127,8 +127,8 @@ TEST(ExtendedPlant, anEccentricCapstanReactsByItsLever) {
   EXPECT_LT(most, 1e-5 * kinetic);
 }
 
-/// Before the recording nothing has moved; long after its begin the cable's zero is another number of the file. Joint 3, which is
-/// coupled to joint 2, moves the other way: C12 Δq_2 + Δq_3 = 0.
+/// Before the recording nothing has moved; long after its begin the cable's zero is another number of the
+/// file. Joint 3, which is coupled to joint 2, moves the other way: C12 Δq_2 + Δq_3 = 0.
 TEST(ExtendedPlant, aZeroThatHasSettledIsAHomingOffset) {
   robot::Description written = raven();
   const double coupled = -written.coupling[2][1] * 0.01;

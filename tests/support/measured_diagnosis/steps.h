@@ -18,8 +18,8 @@ struct Step {
   diagnosis::Fit fit;
 };
 
-/// The refitted nominal structure, then with the effects of the selection, one more each time, by what each is worth; not fitted
-/// to the end, for wholeFit() to do.
+/// The refitted nominal structure, then with the effects of the selection, one more each time, by what each
+/// is worth; not fitted to the end, for wholeFit() to do.
 std::vector<Step> stepsOf(const diagnosis::FitData& data, const diagnosis::Selection& selection);
 
 }  // namespace capstan::measured

@@ -113,7 +113,7 @@ inline PoseTraceData poseSample() {
     for (std::size_t s = 0; s < 3; ++s)
       for (std::size_t d = 0; d < 6; ++d)
         data.history[s][d].push_back((d < 3 ? 30.0 : 80.0) * std::sin(0.3 * t + static_cast<double>(d)) +
-                                    (s == 1 ? 2.0 : 0.0));
+                                     (s == 1 ? 2.0 : 0.0));
   }
   return data;
 }

@@ -6,8 +6,8 @@
 #include <QShortcut>
 #include <QSlider>
 
-#include "widgets/panels/work/figure_sheet.h"
 #include "widgets/panels/learning/learning_figures.h"
+#include "widgets/panels/work/figure_sheet.h"
 
 namespace capstan::widgets {
 

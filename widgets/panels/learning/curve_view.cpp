@@ -3,8 +3,8 @@
 #include <QBoxLayout>
 #include <QPushButton>
 
-#include "widgets/panels/work/figure_sheet.h"
 #include "widgets/panels/learning/learning_figures.h"
+#include "widgets/panels/work/figure_sheet.h"
 
 namespace capstan::widgets {
 

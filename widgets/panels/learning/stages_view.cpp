@@ -7,9 +7,9 @@
 #include <cmath>
 
 #include "widgets/figures/share_bar.h"
-#include "widgets/panels/work/figure_sheet.h"
 #include "widgets/panels/learning/learning_figures.h"
 #include "widgets/panels/learning/stage_rows.h"
+#include "widgets/panels/work/figure_sheet.h"
 
 namespace capstan::widgets {
 
