@@ -16,7 +16,7 @@ namespace {
 constexpr const char* kAbout =
     "Capstan: joint angles of cable-driven surgical robots from motors and cameras.\n"
     "Exit codes: 0 done; 1 no result or a negative one (cancelled, not calibrated, model has drifted);\n"
-    "2 bad argument or file.";
+    "2 bad argument or file; 3 of `recover`: something is lost.";
 
 void refuseUnknownCommand(const CLI::App& app, int argc, char** argv) {
   if (argc < 2 || argv[1][0] == '-') return;

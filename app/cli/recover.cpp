@@ -1,8 +1,7 @@
 #include <fmt/format.h>
 
+#include <cmath>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <string>
 
@@ -11,6 +10,7 @@
 #include "app/cli/outputs.h"
 #include "core/base/yaml.h"
 #include "core/recording/recover.h"
+#include "core/recording/schema.h"
 #include "core/robot/description.h"
 
 namespace capstan::cli {
@@ -22,24 +22,26 @@ struct RecoverArguments {
 };
 
 std::string wordsOf(const recording::Recovery& recovery) {
-  std::string text = recovery.whole() ? "whole: every row is there and as it was written\n"
-                                      : fmt::format("not whole: {}\n", recovery.fault);
-  text += fmt::format("{:<12}{:>12}{:>12}{:>12}\n", "table", "saved", "damaged", "written");
+  std::string text = recovery.whole() ? std::string("no damage found\n")
+                     : recovery.complete()
+                         ? fmt::format("damaged, but every row was saved: {}\n", recovery.fault)
+                         : fmt::format("damaged: {}\n", recovery.fault);
+  text += fmt::format("{:<12}{:>12}{:>12}{:>12}\n", "table", "saved", "damaged", "recorded");
   for (const recording::RecoveredRows& rows : recovery.tables)
     text += fmt::format("{:<12}{:>12}{:>12}{:>12}\n", rows.table, rows.saved, rows.damaged,
                         rows.written ? std::to_string(*rows.written) : "unknown");
   for (const recording::LostRows& lost : recovery.lost)
-    text += fmt::format("lost         {} rows between {:.3f} s and {:.3f} s\n", lost.count, lost.after,
-                        lost.before);
-  if (recovery.lost.size() == recording::kMostLost)
-    text += fmt::format("lost         {} rows in all between the first and the last saved one\n",
-                        recovery.lost_rows);
+    text += std::isnan(lost.before)
+                ? fmt::format("rows lost    {} after {:.3f} s, at the end\n", lost.count, lost.after)
+                : fmt::format("rows lost    {} between {:.3f} s and {:.3f} s\n", lost.count, lost.after,
+                              lost.before);
+  if (recovery.lost.size() > 1) text += fmt::format("rows lost    {} in all\n", recovery.lost_rows);
   if (recovery.pages.missing > 0)
-    text += fmt::format("lost         the end of the file, {} pages\n", recovery.pages.missing);
-  for (const std::string& key : recovery.lost_header)
-    text += fmt::format("lost         header entry {}\n", key);
+    text += fmt::format("cut off      the last {} KB of the file\n",
+                        recovery.pages.missing * recording::kPageSize / 1024);
+  for (const std::string& key : recovery.lost_header) text += fmt::format("header       lost: {}\n", key);
   if (!recovery.checked)
-    text += "This file has no check sums (Capstan 0.2 or older): changed numbers in it are not noticed.\n";
+    text += "Rows without check sums (schema version 1): changed numbers in them are not noticed.\n";
   return text;
 }
 
@@ -50,10 +52,13 @@ nlohmann::json documentOf(const recording::Recovery& recovery, const RecoverArgu
                           {"damaged", rows.damaged},
                           {"written", rows.written ? nlohmann::json(*rows.written) : nlohmann::json()}};
   for (const recording::LostRows& rows : recovery.lost)
-    lost.push_back({{"rows", rows.count}, {"after", rows.after}, {"before", rows.before}});
+    lost.push_back({{"rows", rows.count},
+                    {"after", rows.after},
+                    {"before", std::isnan(rows.before) ? nlohmann::json() : nlohmann::json(rows.before)}});
   return {{"in", arguments.in},
           {"out", recovery.saved() > 0 ? nlohmann::json(arguments.out) : nlohmann::json()},
           {"whole", recovery.whole()},
+          {"complete", recovery.complete()},
           {"fault", recovery.fault},
           {"check_sums", recovery.checked},
           {"tables", tables},
@@ -88,7 +93,7 @@ ExitCode recover(const RecoverArguments& arguments) {
                                    : fmt::format("{}: nothing to save\n", arguments.in));
   output.json(documentOf(recovery, arguments));
   if (recovery.saved() == 0) return kFailed;
-  return recovery.whole() ? kOk : kIncomplete;
+  return recovery.complete() ? kOk : kIncomplete;
 }
 
 }  // namespace
@@ -103,8 +108,9 @@ void addRecover(CLI::App& app, ExitCode& exit) {
   command->add_flag("--force", arguments->force, "overwrite an existing file");
   command->add_option("--json", arguments->json, "result as JSON: a file, or - for standard output");
   command->footer(
-      "Exit codes: 0 the file was whole, 3 rows are lost (they are listed), 1 nothing to save.\n"
-      "Every row is verified by its check sum, and only rows that are as they were written are saved.\n"
+      "Exit codes: 0 nothing is lost, 3 something is lost (it is listed), 1 nothing to save, 2 bad argument "
+      "or file.\n"
+      "Every row is verified by its check sum; damaged rows are left out.\n"
       "Example:\n"
       "  capstan-cli recover damaged.capstan saved.capstan");
   command->callback([arguments, &exit] { exit = recover(*arguments); });

@@ -162,21 +162,6 @@ base::InputError stopped(const std::filesystem::path& session, const SqliteError
                                                        : "Check the folder, its permissions and the space"});
 }
 
-/// Removes the log files of a former recording beside `session`, because SQLite would apply them to the file
-/// that replaces it. Their content is moved into the former recording first.
-void foldLog(const std::filesystem::path& session) {
-  std::error_code fault;
-  if (!std::filesystem::exists(session.string() + "-wal", fault)) return;
-  try {
-    Database(session, Database::Mode::kReadWrite).run("PRAGMA journal_mode = DELETE");
-  } catch (const SqliteError& error) {
-    if (error.code() == SQLITE_BUSY)
-      throw base::InputError(
-          {session.string(), 0, {}, {}, "is in use", "Close the program that records or shows it"});
-  }
-  for (const char* suffix : {"-wal", "-shm"}) std::filesystem::remove(session.string() + suffix, fault);
-}
-
 }  // namespace
 
 std::vector<std::filesystem::path> exportCsv(const std::filesystem::path& session,

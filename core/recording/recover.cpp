@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <map>
 #include <memory>
 #include <set>
+#include <sstream>
 #include <utility>
 
 #include "core/base/part_file.h"
@@ -19,7 +21,10 @@ namespace capstan::recording {
 namespace {
 
 constexpr std::uint64_t kRowsPerCommit = 20'000;
-constexpr std::string_view kHeaderKeys[] = {"title", "robot", "camera_left", "camera_right", "tracking"};
+constexpr std::string_view kHeaderKeys[] = {"title",        "created", "software", "robot",    "camera_left",
+                                            "camera_right", "truth",   "marker",   "tracking", "reference"};
+constexpr double kApart = 0.05;                 // lost rows closer than this are stated together [s]
+constexpr std::uint32_t kLikelyVersions = 100;  // a higher schema version is damage
 
 bool cancelled(const base::Progress* progress) { return progress && progress->cancelled(); }
 
@@ -66,7 +71,8 @@ bool verified(const StoredRow& row, const Table& table) {
 /// Writes saved rows into the new file.
 class Rescue {
  public:
-  Rescue(SessionWriter& writer, bool checked) : writer_(writer), checked_(checked) {
+  /// `unchecked`: rows without check sums are taken, too.
+  Rescue(SessionWriter& writer, bool unchecked) : writer_(writer), unchecked_allowed_(unchecked) {
     for (const Table& table : tables())
       inserts_.push_back({&table, std::make_unique<Statement>(writer.database(),
                                                               insertStatement(table, "INSERT OR REPLACE"))});
@@ -76,14 +82,19 @@ class Rescue {
   void take(StoredRow&& row) {
     const Target* near = nullptr;
     for (const Target& target : inserts_) {
-      if (row.values.size() != target.table->columns.size() + checked_) continue;
+      const std::size_t columns = target.table->columns.size();
+      const bool checked = row.values.size() == columns + 1;
+      if (!checked && !(unchecked_allowed_ && row.values.size() == columns)) continue;
       const bool keyed = target.table->columns[0].type == ColumnType::kInteger;
       if (keyed && std::holds_alternative<std::monostate>(row.values[0])) row.values[0] = row.id;
-      const bool fitting = fits(row, *target.table, checked_);
-      if (fitting && (!checked_ || verified(row, *target.table))) return insert(row, target);
+      const bool fitting = fits(row, *target.table, checked);
+      if (fitting && (!checked || verified(row, *target.table))) {
+        unchecked_ |= !checked;
+        return insert(row, target);
+      }
       if (fitting || !near) near = &target;
     }
-    if (near) ++damaged_[near->table];
+    if (near) setAside(row, *near->table);
   }
 
   void finish() {
@@ -92,6 +103,9 @@ class Rescue {
   }
 
   std::int64_t damaged(const Table& table) { return damaged_[&table]; }
+  /// Keys of the header whose rows are damaged.
+  const std::set<std::string>& damagedKeys() const { return damaged_keys_; }
+  bool unchecked() const { return unchecked_; }
   const std::set<std::string>& headerKeys() const { return keys_; }
   const std::string& writtenRows() const { return written_; }
 
@@ -100,6 +114,12 @@ class Rescue {
     const Table* table;
     std::unique_ptr<Statement> insert;
   };
+
+  void setAside(const StoredRow& row, const Table& table) {
+    ++damaged_[&table];
+    const auto* key = std::get_if<std::string>(&row.values[0]);
+    if (&table == &headerTable() && key) damaged_keys_.insert(*key);
+  }
 
   void insert(const StoredRow& row, const Target& target) {
     if (target.table == &dictionaryTable()) return;  // the new file has its own
@@ -135,10 +155,11 @@ class Rescue {
   }
 
   SessionWriter& writer_;
-  const bool checked_;
+  const bool unchecked_allowed_;
+  bool unchecked_ = false;
   std::vector<Target> inserts_;
   std::map<const Table*, std::int64_t> damaged_;
-  std::set<std::string> keys_;
+  std::set<std::string> keys_, damaged_keys_;
   std::string written_;
   std::uint64_t rows_ = 0;
 };
@@ -169,8 +190,28 @@ void restoreCodecs(Database& database) {
   }
 }
 
-/// Gaps of `seq` over all tables.
-void findLost(Database& database, Recovery& recovery) {
+void addLost(const LostRows& rows, Recovery& recovery) {
+  recovery.lost_rows += rows.count;
+  if (!recovery.lost.empty() && rows.after < recovery.lost.back().before + kApart) {
+    recovery.lost.back().count += rows.count;
+    recovery.lost.back().before = rows.before;
+  } else if (recovery.lost.size() < kMostLost) {
+    recovery.lost.push_back(rows);
+  }
+}
+
+/// Rows that the recording had at its end and that are lost behind the last saved one, at t.
+void addEnd(double t, Recovery& recovery) {
+  std::int64_t lost = -recovery.lost_rows;
+  for (const RecoveredRows& rows : recovery.tables) lost += rows.written.value_or(rows.saved) - rows.saved;
+  if (lost <= 0) return;
+  recovery.lost_rows += lost;
+  if (recovery.lost.size() < kMostLost)
+    recovery.lost.push_back({lost, t, std::numeric_limits<double>::quiet_NaN()});
+}
+
+/// Gaps of `seq` over all tables. Returns the place and the time of the last row.
+std::pair<std::int64_t, double> findLost(Database& database, Recovery& recovery) {
   std::array<std::unique_ptr<Statement>, kSampleTables> rows;
   std::array<bool, kSampleTables> more{};
   for (std::size_t k = 0; k < rows.size(); ++k) {
@@ -184,14 +225,11 @@ void findLost(Database& database, Recovery& recovery) {
     std::size_t next = rows.size();
     for (std::size_t k = 0; k < rows.size(); ++k)
       if (more[k] && (next == rows.size() || rows[k]->integer(0) < rows[next]->integer(0))) next = k;
-    if (next == rows.size()) return;
+    if (next == rows.size()) return {last, t};
     const std::int64_t seq = rows[next]->integer(0);
     const double now = rows[next]->real(1);
     const std::int64_t gap = seq - last - 1;
-    if (gap > 0 && !(first && seq == 0)) {
-      recovery.lost_rows += gap;
-      if (recovery.lost.size() < kMostLost) recovery.lost.push_back({gap, first ? now : t, now});
-    }
+    if (gap > 0 && !(first && seq == 0)) addLost({gap, first ? now : t, now}, recovery);
     last = seq, t = now;
     more[next] = rows[next]->step();
   }
@@ -213,8 +251,10 @@ void addTables(Database& database, Rescue& rescue, Recovery& recovery) {
 /// Completes the header of the new file. Throws base::InputError if there is no robot.
 void completeHeader(const std::filesystem::path& from, const RecoverOptions& options, SessionWriter& writer,
                     Rescue& rescue, Recovery& recovery) {
-  for (const std::string_view key : kHeaderKeys)
-    if (!rescue.headerKeys().contains(std::string(key))) recovery.lost_header.emplace_back(key);
+  std::set<std::string> wanted = rescue.damagedKeys();
+  for (const std::string_view key : kHeaderKeys) wanted.emplace(key);
+  for (const std::string& key : wanted)
+    if (!rescue.headerKeys().contains(key)) recovery.lost_header.push_back(key);
   if (rescue.headerKeys().contains("robot")) return;
   if (options.robot.empty())
     throw base::InputError({from.string(), 0, "robot", {}, "is lost", "Give the robot file: --robot FILE"});
@@ -227,6 +267,13 @@ std::int64_t Recovery::saved() const {
   std::int64_t sum = 0;
   for (const RecoveredRows& table : tables) sum += table.saved;
   return sum;
+}
+
+bool Recovery::complete() const {
+  if (whole()) return true;
+  const bool known =
+      std::ranges::all_of(tables, [](const RecoveredRows& rows) { return rows.written == rows.saved; });
+  return known && checked && lost_header.empty();
 }
 
 bool isRecoverable(const base::InputError& error) { return error.fault().remedy == kRecoverRemedy; }
@@ -247,35 +294,85 @@ std::string faultOf(const std::filesystem::path& session, base::Progress* progre
     readCodecs(database, session.string());
     return {};
   } catch (const base::InputError& error) {
-    return error.fault().reason;
+    constexpr std::string_view kDamaged = "is damaged: ";
+    const std::string& reason = error.fault().reason;
+    return reason.starts_with(kDamaged) ? reason.substr(kDamaged.size()) : reason;
   } catch (const SqliteError& error) {
     return error.what();
   }
 }
 
+namespace {
+
+/// Throws base::InputError for files that are no matter of recovery.
+void checkFiles(const std::filesystem::path& from, const std::filesystem::path& to,
+                const SqlitePages& pages) {
+  for (const char* suffix : {"-wal", "-shm", "-journal"})
+    if (std::filesystem::weakly_canonical(to) == std::filesystem::weakly_canonical(from.string() + suffix))
+      throw base::InputError({to.string(), 0, {}, {}, "belongs to " + from.string(), "Choose another name"});
+  const std::uint32_t version = pages.version().value_or(kSchemaVersion);
+  if (version > kSchemaVersion && version < kLikelyVersions)
+    throw base::InputError(
+        {from.string(),
+         0,
+         {},
+         {},
+         fmt::format("has schema version {}, this program knows up to {}", version, kSchemaVersion),
+         "Recover it with a newer Capstan"});
+}
+
+/// Holds a read transaction, so that a recorder in another process does not begin its log again meanwhile.
+std::unique_ptr<Database> heldOpen(const std::filesystem::path& session) {
+  try {
+    auto database = std::make_unique<Database>(session, Database::Mode::kRead);
+    database->run("BEGIN; SELECT count(*) FROM header");
+    return database;
+  } catch (const SqliteError&) {
+    return nullptr;  // SQLite cannot read it
+  }
+}
+
+/// What contradicts a file in which no fault was found.
+std::string contradictionOf(const Recovery& recovery, const std::filesystem::path& from) {
+  const SessionSummary all = readSessionSummary(from);
+  const std::int64_t counts[] = {all.motor, all.joint, all.tip, all.frames, all.estimates, all.events};
+  for (std::size_t k = 0; k < recovery.tables.size(); ++k)
+    if (recovery.tables[k].saved < counts[k])
+      return fmt::format("only {} of {} rows of table {} could be saved", recovery.tables[k].saved, counts[k],
+                         recovery.tables[k].table);
+  return recovery.lost_header.empty() ? "" : "entries of the header are missing";
+}
+
+}  // namespace
+
 Recovery recoverSession(const std::filesystem::path& from, const std::filesystem::path& to,
                         const RecoverOptions& options, base::Progress* progress) {
   Recovery recovery;
   SqlitePages pages(from, kPageSize);
-  recovery.checked = pages.version().value_or(kSchemaVersion) != 1;
+  checkFiles(from, to, pages);
   if (progress) progress->report(0.0, "verifying");
   recovery.fault = faultOf(from, progress);
+  const auto held = heldOpen(from);
   base::PartFile part(to);
   try {
     SessionWriter writer(part.path(), {}, SessionWriter::Durability::kPlain);
-    Rescue rescue(writer, recovery.checked);
-    recovery.pages = pages.scan([&](StoredRow&& row) {
-      rescue.take(std::move(row));
-      return !cancelled(progress);
-    });
+    Rescue rescue(writer, pages.version().value_or(1) == 1);
+    recovery.pages = pages.scan([&](StoredRow&& row) { rescue.take(std::move(row)); }, progress);
     rescue.finish();
+    recovery.checked = !rescue.unchecked();
     addTables(writer.database(), rescue, recovery);
     if (cancelled(progress) || recovery.saved() == 0) return recovery;
     writer.begin();
     completeHeader(from, options, writer, rescue, recovery);
     restoreCodecs(writer.database());
+    const auto [last, t] = findLost(writer.database(), recovery);
+    addEnd(t, recovery);
+    if (recovery.whole()) recovery.fault = contradictionOf(recovery, from);
+    if (!recovery.complete())
+      writer.write(last + 1, SessionEvent{t, "recorder",
+                                          fmt::format("recovered from {}: {} rows lost",
+                                                      from.filename().string(), recovery.lost_rows)});
     writer.commit();
-    findLost(writer.database(), recovery);
     writer.finish();
   } catch (const SqliteError& error) {
     throw base::InputError({to.string(),
@@ -285,6 +382,7 @@ Recovery recoverSession(const std::filesystem::path& from, const std::filesystem
                             fmt::format("cannot be written: {}", error.what()),
                             "Check the folder, its permissions and the space"});
   }
+  foldLog(to);
   part.commit();
   return recovery;
 }

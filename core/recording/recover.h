@@ -28,23 +28,25 @@ struct RecoveredRows {
 /// Successive rows that are lost, in the order of arrival over all tables.
 struct LostRows {
   std::int64_t count = 0;
-  double after = 0.0, before = 0.0;  ///< times of the saved samples around them [s]
+  double after = 0.0, before = 0.0;  ///< times of the saved samples around them [s]; before is NaN at the end
 };
 
 /// Result of recoverSession().
 struct Recovery {
   /// Why the file is not whole; empty: every row is there and as it was written.
   std::string fault;
-  bool checked =
-      true;  ///< false: the file has no check sums (schema version 1), changed numbers are not noticed
+  /// False: there are rows without check sums (schema version 1), in which no change is noticed.
+  bool checked = true;
   std::vector<RecoveredRows> tables;
   std::vector<LostRows> lost;            ///< the first kMostLost of them
-  std::int64_t lost_rows = 0;            ///< number of all lost rows between the first and the last saved one
+  std::int64_t lost_rows = 0;            ///< number of all lost rows that are known
   std::vector<std::string> lost_header;  ///< entries of the header that are lost
   PageCounts pages;
 
   std::int64_t saved() const;
   bool whole() const { return fault.empty(); }
+  /// True if nothing is lost: the file is whole, or every row and header entry of a damaged one was saved.
+  bool complete() const;
 };
 inline constexpr std::size_t kMostLost = 100;
 

@@ -13,13 +13,21 @@ namespace {
   throw base::InputError({path.string(), 0, {}, {}, reason, remedy});
 }
 
+/// Whether a file that is no database may be a session whose beginning is damaged.
+bool mayBeDamaged(const std::filesystem::path& path) {
+  std::error_code fault;
+  return path.extension() == kSessionSuffix && std::filesystem::file_size(path, fault) > kPageSize && !fault;
+}
+
 base::InputError notASession(const std::filesystem::path& path) {
   return base::InputError({path.string(),
                            0,
                            {},
                            {},
                            "is not a session file: it is no SQLite 3 database",
-                           fmt::format("Choose a file recorded by Capstan (*{})", kSessionSuffix)});
+                           mayBeDamaged(path)
+                               ? kRecoverRemedy
+                               : fmt::format("Choose a file recorded by Capstan (*{})", kSessionSuffix)});
 }
 
 /// Checks the file without opening it. Closing it would release all locks of this process on the file, also
@@ -91,7 +99,9 @@ base::InputError damagedSession(const std::filesystem::path& path, const SqliteE
       {path.string(), 0, {}, {}, fmt::format("is damaged: {}", error.what()), kRecoverRemedy});
 }
 
-bool hasChecks(Database& database) { return database.number("PRAGMA user_version") > 1; }
+bool hasChecks(Database& database) {
+  return database.number("SELECT count(*) FROM pragma_table_info('motor') WHERE name = 'crc'") == 1;
+}
 
 Statement rowsOf(Database& database, const Table& table, std::string_view rest) {
   return {database, fmt::format("{} {}", selectStatement(table, hasChecks(database)), rest)};

@@ -307,6 +307,19 @@ std::string countsOf(Database& database) {
   return counts;
 }
 
+void foldLog(const std::filesystem::path& session) {
+  std::error_code fault;
+  if (!std::filesystem::exists(session.string() + "-wal", fault)) return;
+  try {
+    Database(session, Database::Mode::kReadWrite).run("PRAGMA journal_mode = DELETE");
+  } catch (const SqliteError& error) {
+    if (error.code() == SQLITE_BUSY)
+      throw base::InputError(
+          {session.string(), 0, {}, {}, "is in use", "Close the program that records or shows it"});
+  }
+  for (const char* suffix : {"-wal", "-shm"}) std::filesystem::remove(session.string() + suffix, fault);
+}
+
 std::string formatPose(const Eigen::Isometry3d& pose) {
   std::string text;
   for (int row = 0; row < 4; ++row)

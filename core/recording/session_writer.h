@@ -81,6 +81,9 @@ class SessionWriter {
 
 /// Binds a row of table `codec` to its INSERT statement.
 void bindCodec(Statement& insert, std::int64_t id, const CodecParameters& parameters);
+/// Removes the log files of a former recording beside `session`, because SQLite would apply them to the file
+/// that replaces it. Their content is moved into the former recording first.
+void foldLog(const std::filesystem::path& session);
 /// Numbers of rows of the tables of samples, "motor 12000, joint 12000, …".
 std::string countsOf(Database& database);
 

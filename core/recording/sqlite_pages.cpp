@@ -13,6 +13,7 @@ using Bytes = std::vector<std::uint8_t>;
 
 constexpr std::uint8_t kTableLeaf = 0x0D;
 constexpr std::size_t kLeafHeader = 8, kLogHeader = 32, kFrameHeader = 24;
+constexpr std::size_t kMostValues = 64;          ///< of a row; more is damage
 constexpr std::uint64_t kMostPayload = 1 << 28;  ///< of a row [bytes]; more is damage
 
 std::uint32_t big16(const std::uint8_t* at) { return static_cast<std::uint32_t>(at[0] << 8 | at[1]); }
@@ -73,6 +74,8 @@ void SqlitePages::readHeader() {
   constexpr char kMagic[] = "SQLite format 3";
   Bytes head(100);
   if (!read(file_, 0, head) || std::memcmp(head.data(), kMagic, sizeof kMagic) != 0) return;
+  const std::uint32_t size = big16(&head[16]) == 1 ? 65536 : big16(&head[16]);
+  if (std::has_single_bit(size) && size >= 512) page_size_ = size, reserved_ = head[20];
   version_ = big32(&head[60]);
   stated_pages_ = big32(&head[28]);
 }
@@ -102,10 +105,11 @@ bool SqlitePages::readPage(std::uint32_t number, Bytes& page) {
   return number > 0 && read(file_, std::uint64_t{number - 1} * page_size_, page);
 }
 
-/// Payload of a cell, with its overflow pages. Nothing if they are missing or form a circle.
+/// Payload of a cell, with its overflow pages. Nothing if they are missing or more than the file has.
 std::optional<Bytes> SqlitePages::payload(const Bytes& page, std::size_t at, std::uint64_t size) {
-  const std::uint64_t usable = page_size_, most = usable - 35, least = (usable - 12) * 32 / 255 - 23;
-  if (size > kMostPayload) return std::nullopt;
+  const std::uint64_t usable = page_size_ - reserved_, most = usable - 35,
+                      least = (usable - 12) * 32 / 255 - 23;
+  if (size > std::min(kMostPayload, file_bytes_ + log_pages_.size() * page_size_)) return std::nullopt;
   std::uint64_t local = size;
   if (size > most) {
     const std::uint64_t fitting = least + (size - least) % (usable - 4);
@@ -131,13 +135,13 @@ std::optional<StoredRow> SqlitePages::rowAt(const Bytes& page, std::size_t at) {
   if (!bytes) return std::nullopt;
   std::size_t type_at = 0;
   const auto head = varint(*bytes, type_at);
-  if (!head || *head > bytes->size()) return std::nullopt;
+  if (!head || *head > std::min<std::uint64_t>(bytes->size(), 9 * kMostValues)) return std::nullopt;
   StoredRow row{static_cast<std::int64_t>(*id), {}};
   std::size_t value_at = *head;
   while (type_at < *head) {
     const auto type = varint(*bytes, type_at);
     auto value = type ? valueAt(*bytes, value_at, *type) : std::nullopt;
-    if (!value) return std::nullopt;
+    if (!value || row.values.size() == kMostValues) return std::nullopt;
     value_at += sizeOf(*type);
     row.values.push_back(std::move(*value));
   }
@@ -145,29 +149,31 @@ std::optional<StoredRow> SqlitePages::rowAt(const Bytes& page, std::size_t at) {
 }
 
 bool SqlitePages::scanPage(const Bytes& page, PageCounts& counts,
-                           const std::function<bool(StoredRow&&)>& take) {
+                           const std::function<void(StoredRow&&)>& take, const base::Progress* progress) {
   ++counts.pages;
   if (page[0] != kTableLeaf) return true;
   const std::size_t cells = big16(&page[3]);
   for (std::size_t i = 0; i < cells && kLeafHeader + 2 * i + 2 <= page.size(); ++i) {
+    if (progress && progress->cancelled()) return false;
     std::optional<StoredRow> row = rowAt(page, big16(&page[kLeafHeader + 2 * i]));
     if (!row)
       ++counts.unreadable;
-    else if (!take(std::move(*row)))
-      return false;
+    else
+      take(std::move(*row));
   }
   return true;
 }
 
-PageCounts SqlitePages::scan(const std::function<bool(StoredRow&&)>& row) {
+PageCounts SqlitePages::scan(const std::function<void(StoredRow&&)>& row, const base::Progress* progress) {
   PageCounts counts;
   const std::uint64_t whole = file_bytes_ / page_size_;
   counts.missing = stated_pages_ > whole && log_pages_.empty() ? stated_pages_ - whole : 0;
   Bytes page(page_size_);
   for (std::uint64_t number = 1; number < whole; ++number)  // page 1, at 0, is the schema
-    if (!read(file_, number * page_size_, page) || !scanPage(page, counts, row)) return counts;
+    if (!read(file_, number * page_size_, page) || !scanPage(page, counts, row, progress)) return counts;
   for (const LogPage& logged : log_pages_)
-    if (logged.number != 1 && read(log_, logged.offset, page) && !scanPage(page, counts, row)) return counts;
+    if (logged.number != 1 && read(log_, logged.offset, page) && !scanPage(page, counts, row, progress))
+      return counts;
   return counts;
 }
 

@@ -9,6 +9,8 @@
 #include <variant>
 #include <vector>
 
+#include "core/base/progress.h"
+
 /// Rows of an SQLite 3 database, read from its pages without SQLite (SQLite, Database File Format): what is
 /// left of a damaged file. For core/recording only.
 namespace capstan::recording {
@@ -33,13 +35,14 @@ struct PageCounts {
 class SqlitePages {
  public:
   /// Throws base::InputError if `path` cannot be read.
-  explicit SqlitePages(const std::filesystem::path& path, std::uint32_t page_size);
+  /// `page_size` is used if the file's header is damaged.
+  SqlitePages(const std::filesystem::path& path, std::uint32_t page_size);
 
   /// Schema version (PRAGMA user_version) in the file's header; nothing if the header is damaged.
   std::optional<std::uint32_t> version() const { return version_; }
   /// Hands every row of every table leaf but those of page 1 (the schema) to `row`, in the order of the
-  /// pages; rows of the log come last. Stops when `row` returns false.
-  PageCounts scan(const std::function<bool(StoredRow&&)>& row);
+  /// pages; rows of the log come last. Stops when `progress` is cancelled.
+  PageCounts scan(const std::function<void(StoredRow&&)>& row, const base::Progress* progress);
 
  private:
   void readHeader();
@@ -50,9 +53,9 @@ class SqlitePages {
   bool readPage(std::uint32_t number, std::vector<std::uint8_t>& page);
   std::optional<StoredRow> rowAt(const std::vector<std::uint8_t>& page, std::size_t at);
   bool scanPage(const std::vector<std::uint8_t>& page, PageCounts& counts,
-                const std::function<bool(StoredRow&&)>& row);
+                const std::function<void(StoredRow&&)>& row, const base::Progress* progress);
 
-  std::uint32_t page_size_;
+  std::uint32_t page_size_, reserved_ = 0;  ///< [bytes]; reserved at the end of each page
   std::ifstream file_, log_;
   std::uint64_t file_bytes_ = 0;
   std::optional<std::uint32_t> version_;

@@ -145,8 +145,60 @@ TEST(Recover, WithoutAFirstPageEveryRowIsSaved) {
   write(path, bytes);
   const Recovery recovery = recoverSession(path, folder / "b.capstan");
   EXPECT_FALSE(recovery.whole());
+  EXPECT_TRUE(recovery.complete());
   EXPECT_EQ(recovery.saved(), kRows + 1);
   EXPECT_EQ(samplesOf(folder / "b.capstan"), before);
+  try {
+    samplesOf(path);
+    ADD_FAILURE() << "a file without a beginning was opened";
+  } catch (const base::InputError& error) {
+    EXPECT_TRUE(isRecoverable(error)) << error.what();
+  }
+}
+
+TEST(Recover, PagesOfAnotherSizeAreRead) {
+  const TemporaryFolder folder;
+  const auto path = sessionIn(folder);
+  Database(path, Database::Mode::kReadWrite).run("PRAGMA page_size = 4096; VACUUM");
+  const Recovery recovery = recoverSession(path, folder / "b.capstan");
+  EXPECT_TRUE(recovery.whole()) << recovery.fault;
+  EXPECT_EQ(recovery.saved(), kRows + 1);
+}
+
+/// SQLite would apply the log of a former recording to the new file.
+TEST(Recover, ALogOfAFormerFileIsRemoved) {
+  const TemporaryFolder folder;
+  const auto path = sessionIn(folder);
+  {
+    SessionWriter former(folder / "f.capstan", testing::header(), SessionWriter::Durability::kFast);
+    former.begin();
+    former.write(1, tracking::JointSample{1.0, {1.0, 2.0, 3.0}});
+    former.commit();
+    for (const char* suffix : {"", "-wal"})
+      std::filesystem::copy_file((folder / "f.capstan").string() + suffix,
+                                 (folder / "b.capstan").string() + suffix);
+  }
+  recoverSession(path, folder / "b.capstan");
+  EXPECT_FALSE(std::filesystem::exists(folder / "b.capstan-wal"));
+  EXPECT_EQ(samplesOf(folder / "b.capstan"), samplesOf(path));
+  EXPECT_THROW(recoverSession(path, folder / "a.capstan-wal"), base::InputError)
+      << "it belongs to the damaged file";
+}
+
+TEST(Recover, LostEntriesOfTheHeaderAreStated) {
+  const TemporaryFolder folder;
+  const auto path = sessionIn(folder);
+  Database(path, Database::Mode::kReadWrite).run("UPDATE header SET value = 'x' WHERE key = 'truth'");
+  const Recovery recovery = recoverSession(path, folder / "b.capstan");
+  EXPECT_EQ(recovery.lost_header, std::vector<std::string>{"truth"});
+  EXPECT_FALSE(recovery.complete());
+}
+
+TEST(Recover, ASessionOfANewerVersionIsRefused) {
+  const TemporaryFolder folder;
+  const auto path = sessionIn(folder);
+  Database(path, Database::Mode::kReadWrite).run("PRAGMA user_version = 3");
+  EXPECT_THROW(recoverSession(path, folder / "b.capstan"), base::InputError);
 }
 
 TEST(Recover, ASessionThatDidNotEndIsWhole) {
@@ -229,6 +281,7 @@ TEST(Recover, VanishedRowsAreNoticed) {
   EXPECT_NE(recovery.fault, "");
   EXPECT_EQ(rowsOf(recovery, "joint").saved + 1, rowsOf(recovery, "joint").written);
   EXPECT_EQ(recovery.lost_rows, 1);
+  EXPECT_FALSE(recovery.complete());
 }
 
 }  // namespace
