@@ -5,14 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <map>
 #include <memory>
 #include <set>
-#include <sstream>
 #include <utility>
 
 #include "core/base/part_file.h"
-#include "core/recording/row_check.h"
+#include "core/recording/row_counts.h"
+#include "core/recording/row_rescue.h"
 #include "core/recording/schema.h"
 #include "core/recording/session_reader.h"
 #include "core/recording/session_writer.h"
@@ -20,158 +19,12 @@
 namespace capstan::recording {
 namespace {
 
-constexpr std::uint64_t kRowsPerCommit = 20'000;
 constexpr std::string_view kHeaderKeys[] = {"title",        "created", "software", "robot",    "camera_left",
                                             "camera_right", "truth",   "marker",   "tracking", "reference"};
 constexpr double kApart = 0.05;                 // lost rows closer than this are stated together [s]
 constexpr std::uint32_t kLikelyVersions = 100;  // a higher schema version is damage
 
 bool cancelled(const base::Progress* progress) { return progress && progress->cancelled(); }
-
-bool fits(const Value& value, ColumnType type) {
-  if (std::holds_alternative<std::monostate>(value)) return true;
-  switch (type) {
-    case ColumnType::kReal:
-      return std::holds_alternative<double>(value);
-    case ColumnType::kInteger:
-      return std::holds_alternative<std::int64_t>(value);
-    case ColumnType::kText:
-      return std::holds_alternative<std::string>(value);
-    case ColumnType::kBlob:
-      return std::holds_alternative<std::vector<std::uint8_t>>(value);
-  }
-  return false;
-}
-
-/// Whether the values can be a row of the table, with or without a check sum behind them.
-bool fits(const StoredRow& row, const Table& table, bool checked) {
-  if (row.values.size() != table.columns.size() + checked) return false;
-  for (std::size_t i = 0; i < table.columns.size(); ++i)
-    if (!fits(row.values[i], table.columns[i].type)) return false;
-  return true;
-}
-
-bool verified(const StoredRow& row, const Table& table) {
-  RowCheck check(table.name);
-  for (std::size_t i = 0; i < table.columns.size(); ++i) {
-    struct {
-      RowCheck& check;
-      void operator()(std::monostate) const { check.addNull(); }
-      void operator()(std::int64_t value) const { check.add(value); }
-      void operator()(double value) const { check.add(value); }
-      void operator()(const std::string& value) const { check.addText(value); }
-      void operator()(const std::vector<std::uint8_t>& value) const { check.addBlob(value); }
-    } add{check};
-    std::visit(add, row.values[i]);
-  }
-  const auto* crc = std::get_if<std::int64_t>(&row.values.back());
-  return crc && *crc == check.value();
-}
-
-/// Writes saved rows into the new file.
-class Rescue {
- public:
-  /// `unchecked`: rows without check sums are taken, too.
-  Rescue(SessionWriter& writer, bool unchecked) : writer_(writer), unchecked_allowed_(unchecked) {
-    for (const Table& table : tables())
-      inserts_.push_back({&table, std::make_unique<Statement>(writer.database(),
-                                                              insertStatement(table, "INSERT OR REPLACE"))});
-    writer_.begin();
-  }
-
-  void take(StoredRow&& row) {
-    const Target* near = nullptr;
-    for (const Target& target : inserts_) {
-      const std::size_t columns = target.table->columns.size();
-      const bool checked = row.values.size() == columns + 1;
-      if (!checked && !(unchecked_allowed_ && row.values.size() == columns)) continue;
-      const bool keyed = target.table->columns[0].type == ColumnType::kInteger;
-      if (keyed && std::holds_alternative<std::monostate>(row.values[0])) row.values[0] = row.id;
-      const bool fitting = fits(row, *target.table, checked);
-      if (fitting && (!checked || verified(row, *target.table))) {
-        unchecked_ |= !checked;
-        return insert(row, target);
-      }
-      if (fitting || !near) near = &target;
-    }
-    if (near) setAside(row, *near->table);
-  }
-
-  void finish() {
-    writer_.commit();
-    inserts_.clear();
-  }
-
-  std::int64_t damaged(const Table& table) { return damaged_[&table]; }
-  /// Keys of the header whose rows are damaged.
-  const std::set<std::string>& damagedKeys() const { return damaged_keys_; }
-  bool unchecked() const { return unchecked_; }
-  const std::set<std::string>& headerKeys() const { return keys_; }
-  const std::string& writtenRows() const { return written_; }
-
- private:
-  struct Target {
-    const Table* table;
-    std::unique_ptr<Statement> insert;
-  };
-
-  void setAside(const StoredRow& row, const Table& table) {
-    ++damaged_[&table];
-    const auto* key = std::get_if<std::string>(&row.values[0]);
-    if (&table == &headerTable() && key) damaged_keys_.insert(*key);
-  }
-
-  void insert(const StoredRow& row, const Target& target) {
-    if (target.table == &dictionaryTable()) return;  // the new file has its own
-    if (target.table == &headerTable()) {
-      const auto& key = std::get<std::string>(row.values[0]);
-      const auto* value = std::get_if<std::string>(&row.values[1]);
-      keys_.insert(key);
-      if (key == "rows") {
-        written_ = value ? *value : "";
-        return;
-      }
-    }
-    for (std::size_t i = 0; i < target.table->columns.size(); ++i) bind(*target.insert, i, row.values[i]);
-    target.insert->execute();
-    if (++rows_ % kRowsPerCommit != 0) return;
-    writer_.commit();
-    writer_.begin();
-  }
-
-  static void bind(Statement& statement, std::size_t column, const Value& value) {
-    struct {
-      Statement& statement;
-      int index;
-      void operator()(std::monostate) const { statement.bindNull(index); }
-      void operator()(std::int64_t value) const { statement.bind(index, value); }
-      void operator()(double value) const { statement.bind(index, value); }
-      void operator()(const std::string& value) const { statement.bind(index, std::string_view(value)); }
-      void operator()(const std::vector<std::uint8_t>& value) const {
-        statement.bind(index, std::span<const std::uint8_t>(value));
-      }
-    } to{statement, static_cast<int>(column) + 1};
-    std::visit(to, value);
-  }
-
-  SessionWriter& writer_;
-  const bool unchecked_allowed_;
-  bool unchecked_ = false;
-  std::vector<Target> inserts_;
-  std::map<const Table*, std::int64_t> damaged_;
-  std::set<std::string> keys_, damaged_keys_;
-  std::string written_;
-  std::uint64_t rows_ = 0;
-};
-
-/// Numbers of rows by table, from the text of countsOf().
-std::map<std::string, std::int64_t> parseCounts(const std::string& text) {
-  std::map<std::string, std::int64_t> counts;
-  std::istringstream words(text);
-  std::string name, number;
-  while (words >> name >> number) counts[name] = std::strtoll(number.c_str(), nullptr, 10);
-  return counts;
-}
 
 /// Codecs of saved frames whose own rows are lost: all of a size are alike.
 void restoreCodecs(Database& database) {
@@ -235,22 +88,19 @@ std::pair<std::int64_t, double> findLost(Database& database, Recovery& recovery)
   }
 }
 
-void addTables(Database& database, Rescue& rescue, Recovery& recovery) {
-  const std::map<std::string, std::int64_t> written = parseCounts(rescue.writtenRows());
-  for (int k = 0; k < kSampleTables; ++k) {
+void addTables(Database& database, const RowRescue& rescue, Recovery& recovery) {
+  const RowCounts saved = rowCounts(database);
+  const std::optional<RowCounts> written = parseRowCounts(rescue.writtenRows());
+  for (std::size_t k = 0; k < saved.size(); ++k) {
     const Table& table = recording::table(static_cast<SampleTable>(k));
-    RecoveredRows rows{std::string(table.name),
-                       database.number(fmt::format("SELECT count(*) FROM {}", table.name)),
-                       rescue.damaged(table),
-                       {}};
-    if (const auto found = written.find(rows.table); found != written.end()) rows.written = found->second;
-    recovery.tables.push_back(std::move(rows));
+    recovery.tables.push_back({std::string(table.name), saved[k], rescue.damaged(table), {}});
+    if (written) recovery.tables.back().written = (*written)[k];
   }
 }
 
 /// Completes the header of the new file. Throws base::InputError if there is no robot.
 void completeHeader(const std::filesystem::path& from, const RecoverOptions& options, SessionWriter& writer,
-                    Rescue& rescue, Recovery& recovery) {
+                    const RowRescue& rescue, Recovery& recovery) {
   std::set<std::string> wanted = rescue.damagedKeys();
   for (const std::string_view key : kHeaderKeys) wanted.emplace(key);
   for (const std::string& key : wanted)
@@ -335,8 +185,8 @@ std::unique_ptr<Database> heldOpen(const std::filesystem::path& session) {
 /// What contradicts a file in which no fault was found.
 std::string contradictionOf(const Recovery& recovery, const std::filesystem::path& from) {
   const SessionSummary all = readSessionSummary(from);
-  const std::int64_t counts[] = {all.motor, all.joint, all.tip, all.frames, all.estimates, all.events};
-  for (std::size_t k = 0; k < recovery.tables.size(); ++k)
+  const RowCounts counts = {all.motor, all.joint, all.tip, all.frames, all.estimates, all.events};
+  for (std::size_t k = 0; k < counts.size(); ++k)
     if (recovery.tables[k].saved < counts[k])
       return fmt::format("only {} of {} rows of table {} could be saved", recovery.tables[k].saved, counts[k],
                          recovery.tables[k].table);
@@ -356,7 +206,7 @@ Recovery recoverSession(const std::filesystem::path& from, const std::filesystem
   base::PartFile part(to);
   try {
     SessionWriter writer(part.path(), {}, SessionWriter::Durability::kPlain);
-    Rescue rescue(writer, pages.version().value_or(1) == 1);
+    RowRescue rescue(writer, pages.version().value_or(1) == 1);
     recovery.pages = pages.scan([&](StoredRow&& row) { rescue.take(std::move(row)); }, progress);
     rescue.finish();
     recovery.checked = !rescue.unchecked();

@@ -6,9 +6,8 @@
 
 #include "core/base/software.h"
 #include "core/base/yaml.h"
-#include "core/recording/schema.h"
+#include "core/recording/row_counts.h"
 #include "core/recording/session_reader.h"
-#include "core/recording/session_writer.h"
 
 namespace capstan::recording {
 namespace {
@@ -19,14 +18,21 @@ std::uint64_t sizeOf(const std::filesystem::path& path) {
   return fault ? 0 : size;
 }
 
+/// Throws SqliteError if rows have vanished since the recording ended.
 void countRows(Database& database, SessionSummary& summary) {
-  std::int64_t* const counts[] = {&summary.motor,  &summary.joint,     &summary.tip,
-                                  &summary.frames, &summary.estimates, &summary.events};
+  const RowCounts counts = rowCounts(database);
+  const std::string& written = summary.header.rows;
+  if (!written.empty() && written != textOf(counts))
+    throw SqliteError(SQLITE_CORRUPT, fmt::format("it has {} rows, of {}", textOf(counts), written));
+  summary.motor = counts[kMotorTable], summary.joint = counts[kJointTable], summary.tip = counts[kTipTable];
+  summary.frames = counts[kFrameTable], summary.estimates = counts[kEstimateTable];
+  summary.events = counts[kEventTable];
+}
+
+/// Times of the first and the last sample.
+void findSpan(Database& database, SessionSummary& summary) {
   bool any = false;
-  for (int which = 0; which < kSampleTables; ++which) {
-    const std::string name(table(static_cast<SampleTable>(which)).name);
-    *counts[which] = database.number("SELECT count(*) FROM " + name);
-    if (which > kFrameTable || *counts[which] == 0) continue;
+  for (int which = 0; which <= kFrameTable; ++which)
     for (const char* direction : {"ASC", "DESC"}) {
       Statement row = rowsOf(database, table(static_cast<SampleTable>(which)),
                              fmt::format("ORDER BY seq {} LIMIT 1", direction));
@@ -36,14 +42,6 @@ void countRows(Database& database, SessionSummary& summary) {
       summary.last_t = any ? std::max(summary.last_t, t) : t;
       any = true;
     }
-  }
-}
-
-/// Throws SqliteError if rows have vanished since the recording ended.
-void checkCounts(Database& database, const SessionHeader& header) {
-  const std::string counts = countsOf(database);
-  if (!header.rows.empty() && header.rows != counts)
-    throw SqliteError(SQLITE_CORRUPT, fmt::format("it has {} rows, of {}", counts, header.rows));
 }
 
 }  // namespace
@@ -90,7 +88,7 @@ SessionSummary readSessionSummary(const std::filesystem::path& path) {
     SessionSummary summary;
     summary.header = readHeader(database);
     countRows(database, summary);
-    checkCounts(database, summary.header);
+    findSpan(database, summary);
     Statement size(database, "SELECT width, height FROM codec ORDER BY id LIMIT 1");
     if (size.step()) {
       summary.width = static_cast<int>(size.integer(0));

@@ -31,7 +31,7 @@ struct SessionHeader {
   std::string marker;    ///< marker options (YAML), else empty
   std::string tracking;  ///< tracking options (YAML), else empty
   std::optional<Eigen::Isometry3d> base_from_camera;
-  std::string rows;  ///< numbers of rows, countsOf(); empty: not written, because the recording did not end
+  std::string rows;  ///< numbers of rows, textOf(RowCounts); empty: not written, because the recording did not end
   bool reference = false;       ///< the robot has joint encoders
   bool own_kinematics = false;  ///< joints are the robot's own kinematics instead
 };

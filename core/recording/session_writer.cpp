@@ -6,6 +6,7 @@
 #include <charconv>
 
 #include "core/base/error.h"
+#include "core/recording/row_counts.h"
 #include "core/recording/schema.h"
 
 namespace capstan::recording {
@@ -275,7 +276,7 @@ std::span<const std::uint8_t> SessionWriter::pack(FrameEncoder& encoder, const c
 /// them out.
 void SessionWriter::putRows() {
   try {
-    put("rows", countsOf(database_));
+    put("rows", textOf(rowCounts(database_)));
   } catch (const SqliteError& error) {
     if (error.code() != SQLITE_FULL && error.code() != SQLITE_IOERR) throw;
   }
@@ -295,16 +296,6 @@ void bindCodec(Statement& insert, std::int64_t id, const CodecParameters& parame
   insert.bind(4, std::int64_t{parameters.height});
   insert.bind(5, std::int64_t{parameters.fourcc});
   insert.bind(6, std::span<const std::uint8_t>(parameters.extradata));
-}
-
-std::string countsOf(Database& database) {
-  std::string counts;
-  for (int which = 0; which < kSampleTables; ++which) {
-    const std::string_view name = table(static_cast<SampleTable>(which)).name;
-    counts += fmt::format("{}{} {}", counts.empty() ? "" : ", ", name,
-                          database.number(fmt::format("SELECT count(*) FROM {}", name)));
-  }
-  return counts;
 }
 
 void foldLog(const std::filesystem::path& session) {

@@ -84,8 +84,6 @@ void bindCodec(Statement& insert, std::int64_t id, const CodecParameters& parame
 /// Removes the log files of a former recording beside `session`, because SQLite would apply them to the file
 /// that replaces it. Their content is moved into the former recording first.
 void foldLog(const std::filesystem::path& session);
-/// Numbers of rows of the tables of samples, "motor 12000, joint 12000, …".
-std::string countsOf(Database& database);
 
 /// Converts base_from_camera to header text (the 16 numbers of the matrix, row by row) and back (nothing if
 /// malformed).

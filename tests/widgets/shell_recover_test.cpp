@@ -4,6 +4,7 @@
 #include <QLineEdit>
 #include <QToolButton>
 
+#include "tests/widgets/picture.h"
 #include "tests/widgets/shell_fixture.h"
 #include "widgets/shell/message_bar.h"
 #include "widgets/shell/session_link.h"
@@ -38,6 +39,7 @@ TEST_F(Shell, ADamagedSessionIsRecoveredAndOpened) {
   window->link().open(SourceChoice::ofFile(file("a.capstan")));
   ASSERT_TRUE(waitFor([&] { return buttonNamed(*window, "Recover…") != nullptr; }));
   EXPECT_TRUE(says(*window, "is damaged"));
+  test::grab(*window, "recover-offered");
   buttonNamed(*window, "Recover…")->click();
   ASSERT_TRUE(waitFor([&] { return dialogTitled(*window, "Save what is left as") != nullptr; }));
   QFileDialog* dialog = dialogTitled(*window, "Save what is left as");
@@ -47,6 +49,7 @@ TEST_F(Shell, ADamagedSessionIsRecoveredAndOpened) {
   ASSERT_TRUE(opened(*window));
   EXPECT_TRUE(QFile::exists(file("b.capstan")));
   EXPECT_TRUE(waitFor([&] { return says(*window, "Recovered into"); }));
+  test::grab(*window, "recover-done");
 }
 
 TEST_F(Shell, AMenuRecoversASessionThatWasNotOpened) {

@@ -23,7 +23,6 @@ class RecoverController : public QObject {
   void askDamaged();
   void askNew(const QString& damaged);
   void recover(const QString& damaged, const QString& saved);
-  bool busy() const { return job_.busy(); }
 
  private:
   bool isRecorded(const QString& file) const;

@@ -7,7 +7,7 @@ from typing import Any, Callable, Iterable, Mapping, Optional, Union
 
 import numpy as np
 
-from ._errors import refuse
+from ._errors import InputError, refuse
 from .session import Path, Session
 
 #: Columns in memory: a mapping (dict, DataFrame) from column names to arrays, or a structured array.
@@ -75,6 +75,15 @@ def tables_of(tables: Table | Iterable[Table], name: str = "arrays") -> list[Any
             return [table_of(tables[0], name)]
         return [table_of(table, f"{name} {i + 1}") for i, table in enumerate(tables)]
     return [table_of(tables, name)]  # type: ignore[arg-type]
+
+
+def recordings_of(recordings: Table | Iterable[Table]) -> list[Any]:
+    """tables_of() one or more recordings."""
+    tables = tables_of(recordings)
+    if not tables:
+        raise InputError("recordings: is empty. Give one or more recordings", key="recordings", reason="is empty",
+                         remedy="Give one or more recordings")
+    return tables
 
 
 def write_text(path: Path, text: str) -> None:

@@ -8,8 +8,8 @@ from typing import Any, Iterable, Sequence
 import numpy as np
 
 from . import _native
-from ._errors import InputError, require_one_of, require_range, warn
-from ._inputs import Path, Progress, ReadAs, Table, path_of, read_as_of, tables_of, write_text
+from ._errors import require_one_of, require_range, warn
+from ._inputs import Path, Progress, ReadAs, Table, path_of, read_as_of, recordings_of, write_text
 
 
 @dataclass(frozen=True)
@@ -83,10 +83,7 @@ def diagnose(recordings: Table | Iterable[Table], robot: Path | None = None, *, 
     require_range("effort", effort, 0.01, 1e6)
     require_range("skip_start", skip_start, 0.0, 1e6)
     require_range("threads", threads, 1, 64)
-    tables = tables_of(recordings)
-    if not tables:
-        raise InputError("recordings: is empty. Give one or more recordings", key="recordings", reason="is empty",
-                         remedy="Give one or more recordings")
+    tables = recordings_of(recordings)
     result = _native.diagnose(
         tables, robot=path_of(robot), read_as=read_as_of(read_as), towards=towards or "", zeros=zeros or "",
         material=material or "", only=list(only), effort=effort, skip_start=skip_start, threads=threads, seed=seed,

@@ -9,7 +9,7 @@ import numpy as np
 
 from . import _native
 from ._errors import InputError, require_one_of, require_range, warn
-from ._inputs import Path, Progress, ReadAs, Table, path_of, read_as_of, tables_of, write_text
+from ._inputs import Path, Progress, ReadAs, Table, path_of, read_as_of, recordings_of, tables_of, write_text
 
 
 @dataclass(frozen=True)
@@ -101,10 +101,7 @@ def identify(recordings: Table | Iterable[Table], robot: Path | None = None, *, 
     require_one_of("method", method, ("dual-ukf", "batch", "both"))
     require_one_of("offsets", offsets, ("file", "shared"))
     require_range("threads", threads, 1, 64)
-    tables = tables_of(recordings)
-    if not tables:
-        raise InputError("recordings: is empty. Give one or more recordings", key="recordings", reason="is empty",
-                         remedy="Give one or more recordings")
+    tables = recordings_of(recordings)
     result = _native.identify(
         tables, robot=path_of(robot), read_as=read_as_of(read_as), method=method, parameters=parameters or "",
         options=path_of(options), exact_camera=exact_camera, threads=threads,

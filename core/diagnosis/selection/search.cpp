@@ -53,14 +53,16 @@ class Search {
     score_.emplace(scoredChannels(data_, found_.input_noise), data_.blocks(), kDraws, options_.seed);
     keep(std::move(base));
     if (start) tryStart(*start);
-    while (!ends() && (expandBeam() || expandNeighbours() || settleContenders() || restartBest())) {
+    while (!cancelled(progress_) &&
+           (expandBeam() || expandNeighbours() || settleContenders() || restartBest())) {
     }
     finish();
     return std::move(found_);
   }
 
  private:
-  /// True if no further fits may begin.
+  /// True if no further fits may begin. Ask it last: where something was left to do, the search is not
+  /// complete.
   bool ends() {
     if (data_.work() > options_.effort * kMostWork) found_.complete = false;
     return !found_.complete || cancelled(progress_);
@@ -134,7 +136,8 @@ class Search {
     sets.resize(std::min(sets.size(), isFar(at(found_.best)) ? kFarBeam : kBeam));
     bool any = false;
     for (const EffectSet& effects : sets) {
-      if (ends() || !expanded_.insert(effects).second) continue;
+      if (expanded_.contains(effects) || ends()) continue;
+      expanded_.insert(effects);
       expand(effects, {.refits = options_.refits, .settled = kSettled, .least = 0.0});
       any = true;
     }
@@ -158,8 +161,10 @@ class Search {
     shrinkTo(smaller, best);
     for (const EffectSet& effects : smaller) {
       if (found_.best != best) return true;
-      if (ends() || !found_.sets.contains(effects)) return false;
-      if (!expanded_.insert(effects).second) continue;
+      if (cancelled(progress_) || !found_.sets.contains(effects)) return false;
+      if (expanded_.contains(effects)) continue;
+      if (ends()) return false;
+      expanded_.insert(effects);
       expand(effects, {.refits = kNeighbourRefits,
                        .settled = kNeighbourSettled,
                        .least = kHopeful * (fittedValue(at(best)) - fittedValue(at(effects)))});
@@ -312,7 +317,8 @@ class Search {
   /// Fits the best set from the nominal parameters, too. True: that has changed the best set or its fit.
   bool restartBest() {
     const EffectSet effects = found_.best;
-    if (effects.empty() || ends() || !restarted_.insert(effects).second) return false;
+    if (effects.empty() || restarted_.contains(effects) || ends()) return false;
+    restarted_.insert(effects);
     report("Refitting from the nominal parameters");
     fitter_.relinearise(at(effects));
     const double before = value(effects);
