@@ -16,15 +16,15 @@ using robot::kChainLanes;
 
 constexpr double kLongestStep = 1e-3;        // largest integration step [s]
 constexpr double kLongestFreeStep = 0.5e-3;  // the same for rigid drives, whose errors accumulate [s]
-constexpr double kContactStep = 0.25e-3;  // the same where contacts open, cables yield or joints stick, and
-                                          // at a start: joints are at rest, maybe against moving motors [s]
-constexpr double kStarting = 0.15;        // duration of a start [s]
-constexpr double kSticking = 0.5;         // Stribeck excess above which a joint sticks and slips
-constexpr double kFastestTurn = 0.7;      // largest phase of the fastest oscillation per step [rad]
-constexpr int kMostSteps = 80;            // largest number of integration steps per row
-constexpr double kOutputStep = 5e-3;      // time between outputs of the simulation kernel [s]
-constexpr double kAfterRestart = 0.12;    // time after a restart in which cameras are not compared: a late
-                                          // observation may show the time before the restart [s]
+constexpr double kContactStep = 0.25e-3;     // the same where contacts open, cables yield or joints stick [s]
+constexpr double kStartStep = 0.125e-3;      // the same at a start: joints at rest against moving motors [s]
+constexpr double kStarting = 0.15;           // duration of a start [s]
+constexpr double kSticking = 0.5;            // Stribeck excess above which a joint sticks and slips
+constexpr double kFastestTurn = 0.7;         // largest phase of the fastest oscillation per step [rad]
+constexpr int kMostSteps = 80;               // largest number of integration steps per row
+constexpr double kOutputStep = 5e-3;         // time between outputs of the simulation kernel [s]
+constexpr double kAfterRestart = 0.12;       // time after a restart in which cameras are not compared: a late
+                                             // observation may show the time before the restart [s]
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
 /// Noise of one joint's channel; zero if none was estimated.
@@ -259,7 +259,7 @@ std::size_t ChainSimulation::outputsOf(const Window& window) const {
 }
 
 int ChainSimulation::startingSteps() const {
-  return std::min(kMostSteps, static_cast<int>(std::ceil(evidence_.step / kContactStep - 1e-9)));
+  return std::min(kMostSteps, static_cast<int>(std::ceil(evidence_.step / kStartStep - 1e-9)));
 }
 
 std::size_t ChainSimulation::startingOutputs(const Window& window) const {

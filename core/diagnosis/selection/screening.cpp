@@ -87,24 +87,26 @@ void addProbes(const Fit& fit, const EffectCandidate& suspect, std::vector<Probe
   }
 }
 
-/// The residual and responses as a test sees them: weighted, fit's own free parameters projected off.
+/// The fit's objective, misfit and priors, around the fit: residual and responses are weighted, and the fit's
+/// own free parameters follow.
 class Projection {
  public:
-  Projection(const Fit& fit, const Weighting& weighting) : weights_(weighting.weights) {
+  Projection(const Fit& fit, const Weighting& weighting)
+      : u_(fit.u), precision_(priorPrecision(fit.model)), weights_(weighting.weights) {
     for (Index k = 0; k < fit.u.size(); ++k)
       if (fit.bound.empty() || !fit.bound[static_cast<std::size_t>(k)]) free_.push_back(k);
     parameters_ = fit.u.size();
     jacobian_ = weights_.asDiagonal() * fit.jacobian(Eigen::all, free_);
     MatrixXd normal = jacobian_.transpose() * jacobian_;
-    normal.diagonal() += priorPrecision(fit.model)(free_);
+    normal.diagonal() += precision_(free_);
     normal_ = normal.ldlt();
     e_ = weights_.cwiseProduct(fit.e);
+    slope_ = jacobian_.transpose() * e_ - precision_.cwiseProduct(u_)(free_);
   }
 
-  double left() const { return e_.squaredNorm(); }
   const VectorXd& weights() const { return weights_; }
 
-  /// Sizes of the columns d (weighted) that take most off the residual, and how much they take.
+  /// Sizes of the columns d (weighted) that take most off the objective, and how much they take.
   std::pair<VectorXd, double> best(const MatrixXd& d) const {
     const auto [s, g] = ownDirections(d);
     std::vector<Index> seen;  // not those that the fit's own numbers could make as well
@@ -118,10 +120,22 @@ class Projection {
     for (std::size_t k = 0; k < seen.size(); ++k) size[seen[k]] = solved[static_cast<Index>(k)];
     return {size, 2.0 * size.dot(g) - size.dot(s * size)};
   }
-  /// What given sizes would take off.
+  /// What given sizes would take off the objective.
   double gain(const MatrixXd& d, const VectorXd& size) const {
     const auto [s, g] = ownDirections(d);
     return 2.0 * size.dot(g) - size.dot(s * size);
+  }
+  /// What given sizes would take off the misfit, as a share of it.
+  double share(const MatrixXd& d, const VectorXd& size) const {
+    const VectorXd change = follow(d, size);
+    const VectorXd left = e_ - d * size - jacobian_ * change(free_);
+    return 1.0 - left.squaredNorm() / e_.squaredNorm();
+  }
+  /// What given sizes would take off the priors of the fit's parameters, which return towards the nominal
+  /// ones [nats].
+  double prior(const MatrixXd& d, const VectorXd& size) const {
+    const VectorXd after = u_ + follow(d, size);
+    return 0.5 * (u_.cwiseAbs2() - after.cwiseAbs2()).dot(precision_);
   }
   /// Changes of the fit's parameters that go with sizes of the columns.
   VectorXd follow(const MatrixXd& d, const VectorXd& size) const {
@@ -131,16 +145,17 @@ class Projection {
   }
 
  private:
-  /// Curvature and slope of the misfit along d, the fit's own numbers following.
+  /// Curvature and slope of the objective along d, the fit's own numbers following.
   std::pair<MatrixXd, VectorXd> ownDirections(const MatrixXd& d) const {
     const MatrixXd own = jacobian_.transpose() * d;
     return {d.transpose() * d - own.transpose() * normal_.solve(own),
-            d.transpose() * e_ - own.transpose() * normal_.solve(jacobian_.transpose() * e_)};
+            d.transpose() * e_ - own.transpose() * normal_.solve(slope_)};
   }
 
   std::vector<Index> free_;
   Index parameters_ = 0;
-  VectorXd weights_, e_;
+  VectorXd u_, precision_, weights_, e_;
+  VectorXd slope_;  ///< of the objective along the fit's own parameters, halved; 0 in its minimum
   MatrixXd jacobian_;
   Eigen::LDLT<MatrixXd> normal_;
 };
@@ -187,8 +202,9 @@ ScoreTest judge(const Probe& probe, const Projection& projection, const MatrixXd
                        .start = probe.start,
                        .from = probe.start.value,
                        .follow = projection.follow(d, size),
-                       .gain = std::max(gain, 0.0)};
-  score_test.share = score_test.gain / projection.left();
+                       .gain = std::max(gain, 0.0),
+                       .share = std::max(projection.share(d, size), 0.0),
+                       .prior = std::max(projection.prior(d, size), 0.0)};
   for (std::size_t k = 0; k < probe.numbers.size(); ++k) {
     const std::size_t number = probe.numbers[k];
     score_test.start.value[number] += kLittle * size[static_cast<Index>(k)] * score_test.start.scale[number];

@@ -238,7 +238,7 @@ class Search {
     if (parent.squares.sum.size() == 0) return;  // its simulation diverged
     const double cost =
         logPrior(effects.size(), found_.candidates) - logPrior(effects.size() + 1, found_.candidates);
-    if (!effects.empty() && score_->room(parent.squares) < std::max(least, cost)) return;
+    if (!effects.empty() && room(parent) < std::max(least, cost)) return;
     fitter_.relinearise(parent);
     const std::vector<EffectCandidate> candidates =
         candidatesOf(recordings_, parent.fit.model, options_.only);
@@ -281,6 +281,11 @@ class Search {
     return best;
   }
 
+  /// Largest gain of any model: no misfit beyond the noise, and every parameter at its nominal value [nats].
+  double room(const SetFit& set) const {
+    return score_->room(set.squares) - set.fit.model.logPrior(set.fit.u);
+  }
+
   /// Whether the recordings show much that the set does not explain. Then errors are so correlated, and laws
   /// so far from linear, that score tests and short fits say little about what an effect gains.
   bool isFar(const SetFit& set) const { return score_->excess(set.squares) > kFar; }
@@ -291,8 +296,10 @@ class Search {
                double least) const {
     const double cost = logPrior(parent.effects, found_.candidates, found_.instants) -
                         logPrior(with, found_.candidates, found_.instants);
-    return (first && isFar(parent) ? score_->room(parent.squares)
-                                   : score_->mostGain(parent.squares, test.share)) >= std::max(least, cost);
+    const double most = first && isFar(parent)
+                            ? room(parent)
+                            : score_->mostGain(parent.squares, test.share) + kBeyondTest * test.prior;
+    return most >= std::max(least, cost);
   }
 
   /// Fits to the end the best trials that are better than the set which they extend; far from an explanation
