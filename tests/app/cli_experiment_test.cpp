@@ -96,7 +96,10 @@ TEST_F(Cli, TheFilterMayBelieveInAnotherRobotThanThePlantIs) {
 }
 
 TEST_F(Cli, TheSecondPapersTableIsMadeOfAGivenTableOfPoses) {
-  writeSamplePoses(path("poses.csv"));
+  SamplePoses few;
+  few.trajectories = 12;
+  few.rows = 50;
+  writeSamplePoses(path("poses.csv"), few);
   const std::string out = " --out " + path("out");
   const Ran none = run("experiment E" + out);
   EXPECT_EQ(none.exit, 2);
@@ -123,7 +126,7 @@ TEST_F(Cli, TheSecondPapersTrainingSizes) {
 }
 
 TEST_F(Cli, TheSecondPapersSimulatedExperiments) {
-  const std::string small = " --motions 40 --inducing 100 --json - --out " + path("out");
+  const std::string small = " --motions 16 --inducing 100 --json - --out " + path("out");
   const Ran arrival = run("experiment G --arrivals 2" + small);
   ASSERT_EQ(arrival.exit, 0) << arrival.err;
   const json modes = json::parse(arrival.out)["arrival"];
