@@ -10,6 +10,7 @@
 #include "app/cli/libraries.h"
 #include "app/numbers.h"
 #include "core/base/error.h"
+#include "core/math/dense.h"
 
 namespace {
 
@@ -94,6 +95,7 @@ int flushed(int exit) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  capstan::math::setDenseThreads(1);  // commands have threads of their own
   try {
     return flushed(run(argc, argv));
   } catch (const capstan::base::InputError& error) {

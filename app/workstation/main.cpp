@@ -11,6 +11,7 @@
 #include "app/numbers.h"
 #include "app/version.h"
 #include "app/workstation/arguments.h"
+#include "core/math/dense.h"
 #include "widgets/scene/vtk_version.h"
 #include "widgets/shell/estimate_publisher.h"
 #include "widgets/shell/main_window.h"
@@ -113,6 +114,7 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  capstan::math::setDenseThreads(1);  // background work has threads of its own
   try {
     return run(argc, argv);
   } catch (const std::exception& error) {

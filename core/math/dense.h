@@ -12,17 +12,17 @@ void setDenseThreads(int threads);
 /// That number.
 int denseThreads();
 
-/// Cholesky factor A = L Lᵀ in place, L in the lower triangle (dpotrf). Returns false when A is not positive
+/// Cholesky factor A = L Lᵀ in place, L in the lower triangle. Returns false when A is not positive
 /// definite; A is then invalid.
 bool choleskyInPlace(Eigen::MatrixXd& a);
 
-/// Replaces L by the lower triangle of A⁻¹ = (L Lᵀ)⁻¹, in place (dpotri).
+/// Replaces L by the lower triangle of A⁻¹ = (L Lᵀ)⁻¹, in place.
 void invertFromCholesky(Eigen::MatrixXd& l);
 
-/// Solves B ← L⁻¹ B, L lower triangular (dtrsm).
+/// Solves B ← L⁻¹ B, L lower triangular.
 void solveLower(const Eigen::MatrixXd& l, Eigen::Ref<Eigen::MatrixXd> b);
 
-/// Solves B ← L⁻ᵀ B, L lower triangular (dtrsm).
+/// Solves B ← L⁻ᵀ B, L lower triangular.
 void solveLowerTransposed(const Eigen::MatrixXd& l, Eigen::Ref<Eigen::MatrixXd> b);
 
 /// Adds scale A Aᵀ to the lower triangle of C (dsyrk).

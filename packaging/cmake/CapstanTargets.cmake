@@ -20,13 +20,17 @@ function(capstan_room)
   endif()
 endfunction()
 
-# A GoogleTest executable, its cases registered with CTest one by one; with WHOLE as one test, where its cases
-# share what takes long to make.
-#   capstan_test(NAME robot_test SOURCES … LINKS capstan::robot [TIMEOUT seconds] [WHOLE])
+# A GoogleTest executable, its cases registered with CTest one by one. With SUITES each suite is one test, for many
+# short cases: to start a program that links OpenCV takes a tenth of a second. With WHOLE all of it is one test,
+# where its cases share what takes long to make.
+#   capstan_test(NAME robot_test SOURCES … LINKS capstan::robot [TIMEOUT seconds] [SUITES|WHOLE])
 function(capstan_test)
-  cmake_parse_arguments(TEST "WHOLE" "NAME;TIMEOUT" "SOURCES;LINKS" ${ARGN})
+  cmake_parse_arguments(TEST "SUITES;WHOLE" "NAME;TIMEOUT" "SOURCES;LINKS" ${ARGN})
   if(NOT TEST_TIMEOUT)
     set(TEST_TIMEOUT 240)  # on a loaded machine with two cores
+    if(TEST_SUITES)
+      set(TEST_TIMEOUT 600)
+    endif()
   endif()
   add_executable(${TEST_NAME} ${TEST_SOURCES})
   target_link_libraries(${TEST_NAME} PRIVATE ${TEST_LINKS} capstan_test_folders capstan_options GTest::gtest GTest::gmock GTest::gtest_main)
@@ -39,6 +43,19 @@ function(capstan_test)
   if(TEST_WHOLE)
     add_test(NAME ${TEST_NAME} COMMAND ${TEST_NAME})
     set_tests_properties(${TEST_NAME} PROPERTIES TIMEOUT ${TEST_TIMEOUT})
+  elseif(TEST_SUITES)
+    set(suites ${CMAKE_CURRENT_BINARY_DIR}/${TEST_NAME}_suites)
+    file(
+      GENERATE
+      OUTPUT ${suites}.cmake
+      CONTENT
+        "set(CAPSTAN_SUITES_NAME \"${TEST_NAME}\")
+set(CAPSTAN_SUITES_PROGRAM \"$<TARGET_FILE:${TEST_NAME}>\")
+set(CAPSTAN_SUITES_TIMEOUT ${TEST_TIMEOUT})
+set(CAPSTAN_SUITES_LIST \"${suites}.txt\")
+include(\"${PROJECT_SOURCE_DIR}/packaging/cmake/CapstanSuites.cmake\")
+")
+    set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${suites}.cmake)
   else()
     gtest_discover_tests(${TEST_NAME} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT ${TEST_TIMEOUT})
   endif()

@@ -12,11 +12,19 @@ using ::testing::HasSubstr;
 /// One process, its inputs given, and no weights: the default compares two, averages three and weighs states.
 const std::string kQuick = "--method velocity --members 1 --no-weights ";
 
+/// A search of hyperparameters takes the cube of the number of states.
+SamplePoses fewPoses() {
+  SamplePoses few;
+  few.trajectories = 12;
+  few.rows = 50;
+  return few;
+}
+
 class CliLearn : public Cli {
  protected:
   CliLearn() {
-    writeSamplePoses(path("train.csv"));
-    SamplePoses other;
+    writeSamplePoses(path("train.csv"), fewPoses());
+    SamplePoses other = fewPoses();
     other.seed = 2;
     writeSamplePoses(path("test.csv"), other);
   }
@@ -56,7 +64,7 @@ TEST_F(CliLearn, EvaluatesOnTrajectoriesHeldOutAndLearnsFromAll) {
   const Ran learned = learn(kQuick + "--hold-out 20 --json " + path("m.json"));
   ASSERT_EQ(learned.exit, 0) << learned.err;
   EXPECT_TRUE(textOf("m.correction") == all) << "holding out is for the evaluation alone";
-  EXPECT_THAT(learned.out, HasSubstr("4 of 20 trajectories"));
+  EXPECT_THAT(learned.out, HasSubstr("2 of 12 trajectories"));
   const json held_out = json::parse(textOf("m.json"))["held_out"];
   EXPECT_LT(held_out["clean"]["corrected"]["distance"]["mean"],
             held_out["clean"]["offset"]["distance"]["mean"]);

@@ -14,14 +14,26 @@ using Eigen::VectorXd;
 
 namespace {
 
-/// Row sums of a symmetric matrix that is given by its lower triangle.
-VectorXd rowSums(const MatrixXd& lower) { return math::timesSymmetric(lower, VectorXd::Ones(lower.rows())); }
-
-/// ½ Σ_ab M_ab (z_ai − z_bi)² = Σ_a s_a z_ai² − z_iᵀ M z_i, s = M 1, for each feature i.
+/// ½ Σ_ab M_ab (z_ai − z_bi)² = Σ_a s_a z_ai² − z_iᵀ M z_i, s = M 1, for each feature i; M symmetric, given
+/// by its lower triangle.
 VectorXd byLengths(const MatrixXd& m, const MatrixXd& z) {
-  const VectorXd sums = rowSums(m);
+  MatrixXd with_ones(z.rows(), z.cols() + 1);
+  with_ones << z, VectorXd::Ones(z.rows());
+  const MatrixXd times = math::timesSymmetric(m, with_ones);
+  const auto sums = times.col(z.cols());
   return (z.array().square().colwise() * sums.array()).colwise().sum().matrix().transpose() -
-         z.cwiseProduct(math::timesSymmetric(m, z)).colwise().sum().transpose();
+         z.cwiseProduct(times.leftCols(z.cols())).colwise().sum().transpose();
+}
+
+/// M ← M ∘ W; returns the sum of all elements. Both are symmetric and given by their lower triangles.
+double multiplyElements(const MatrixXd& w, MatrixXd& m) {
+  double below = 0.0;
+  for (Index c = 0; c < m.cols(); ++c) {
+    auto column = m.col(c).tail(m.rows() - c).array();
+    column *= w.col(c).tail(m.rows() - c).array();
+    below += column.sum();
+  }
+  return 2.0 * below - m.diagonal().sum();
 }
 
 }  // namespace
@@ -49,10 +61,8 @@ std::optional<double> MarginalLikelihood::negativeLog(const KernelParameters& pa
   covariance_.triangularView<Eigen::Lower>() *= outputs;
   math::addSquare(-1.0, weights, covariance_);  // W
   const double trace = covariance_.diagonal().sum();
-  for (Index c = 0; c < signal_.cols(); ++c)
-    signal_.col(c).tail(signal_.rows() - c).array() *= covariance_.col(c).tail(signal_.rows() - c).array();
   gradient->resize(2 + parameters.ln_length.size());
-  (*gradient)[0] = rowSums(signal_).sum();
+  (*gradient)[0] = multiplyElements(covariance_, signal_);
   timesLengthSlope(z, parameters, signal_, covariance_);
   const VectorXd lengths = byLengths(signal_, z);
   (*gradient)[1] = parameters.noiseVariance() * trace;

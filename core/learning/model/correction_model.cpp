@@ -5,6 +5,7 @@
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <optional>
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
@@ -76,15 +77,26 @@ GroupParameters fitted(const MatrixXd& x, const MatrixXd& y, const CorrectionOpt
   return found;
 }
 
-/// Committee with given hyperparameters and without training states; each member's inducing points are drawn
-/// from `x`.
-Committee knowingNothing(const MatrixXd& x, Index outputs, const std::vector<KernelParameters>& members,
-                         Index inducing_points, std::uint64_t seed) {
+/// Committee of a group with given hyperparameters and the states of `x` and `y`; each member's inducing
+/// points are drawn from `x`.
+Committee committeeOf(const Group& group, const MatrixXd& x, const MatrixXd& y,
+                      const Eigen::VectorXd& down_weights, const std::vector<KernelParameters>& members,
+                      Index inducing_points, std::uint64_t seed) {
   std::vector<SparseProcess> processes;
   for (const KernelParameters& parameters : members)
-    processes.emplace_back(x(drawnPoints(x.rows(), inducing_points, seed++), Eigen::all), outputs,
+    processes.emplace_back(x(drawnPoints(x.rows(), inducing_points, seed++), Eigen::all), group.count,
                            parameters);
-  return Committee(std::move(processes));
+  Committee committee(std::move(processes));
+  committee.add(x, y.middleCols(group.first, group.count), down_weights);
+  return committee;
+}
+
+/// Calls work(g) for every group, side by side and each with one BLAS thread. Several BLAS threads would wait
+/// for each other in busy loops, which is slow on a busy machine, and would change the order of sums.
+template <class Work>
+void forEachGroup(int threads, const Work& work) {
+  math::setDenseThreads(1);
+  base::parallelFor(kGroups.size(), threads, work);
 }
 
 std::vector<KernelParameters> parametersOf(const Committee& committee) {
@@ -164,20 +176,18 @@ CorrectionModel CorrectionModel::trained(const std::vector<State>& states, const
   const MatrixXd x = model.featuresOf(states), y = model.targetsOf(states);
 
   const GroupParameters parameters = fitted(x, y, options, progress, part.within(0.0, kFitShare));
-  math::setDenseThreads(options.threads);
-  for (std::size_t g = 0; g < kGroups.size() && !(progress && progress->cancelled()); ++g) {
-    part.report(progress, kFitShare + kAllShare * static_cast<double>(g) / kGroups.size(),
-                "learning all states");
-    Committee committee = knowingNothing(x, kGroups[g].count, parameters[g], options.inducing_points,
-                                         kDraws * options.seed + kInducingDraw);
-    committee.add(x, y.middleCols(kGroups[g].first, kGroups[g].count),
-                  downWeightsOf(states, kGroups[g], model.known_.scale));
-    model.processes_.push_back(std::move(committee));
-  }
-  if (progress && progress->cancelled())
-    model.processes_.clear();
-  else if (options.calibrate)
-    model.findInflation(states, options);
+  std::array<std::optional<Committee>, kGroups.size()> committees;
+  std::atomic<int> ready = 0;
+  forEachGroup(options.threads, [&](std::size_t g) {
+    if (progress && progress->cancelled()) return;
+    committees[g] =
+        committeeOf(kGroups[g], x, y, downWeightsOf(states, kGroups[g], model.known_.scale), parameters[g],
+                    options.inducing_points, kDraws * options.seed + kInducingDraw);
+    part.report(progress, kFitShare + kAllShare * ++ready / kGroups.size(), "learning all states");
+  });
+  if (progress && progress->cancelled()) return model;
+  for (std::optional<Committee>& committee : committees) model.processes_.push_back(*std::move(committee));
+  if (options.calibrate) model.findInflation(states, options);
   return model;
 }
 
@@ -301,11 +311,11 @@ void CorrectionModel::addRatios(const std::vector<State>& observed, const std::v
                                 std::array<std::vector<double>, 6>& ratios) const {
   const MatrixXd x = featuresOf(observed), y = targetsOf(observed), at = featuresOf(held),
                  commanded = targetsOf(held);
-  for (std::size_t g = 0; g < kGroups.size(); ++g) {
+  forEachGroup(options.threads, [&](std::size_t g) {
     const auto [first, count] = kGroups[g];
-    Committee committee = knowingNothing(x, count, parametersOf(processes_[g]), options.inducing_points,
-                                         kDraws * options.seed + kCalibrationDraw);
-    committee.add(x, y.middleCols(first, count), downWeightsOf(observed, kGroups[g], known_.scale));
+    const Committee committee = committeeOf(
+        kGroups[g], x, y, downWeightsOf(observed, kGroups[g], known_.scale), parametersOf(processes_[g]),
+        options.inducing_points, kDraws * options.seed + kCalibrationDraw);
     const Prediction guess = committee.predict(at);
     const Eigen::ArrayXd sigma = (guess.variance.array() + committee.noiseVariance()).sqrt();
     for (Index k = 0; k < count; ++k) {
@@ -313,7 +323,7 @@ void CorrectionModel::addRatios(const std::vector<State>& observed, const std::v
       std::vector<double>& all = ratios[static_cast<std::size_t>(first + k)];
       all.insert(all.end(), off.begin(), off.end());
     }
-  }
+  });
 }
 
 double CorrectionModel::weightOf(std::size_t process) const {
