@@ -292,14 +292,14 @@ Results run(const Specification& specification, const RunOptions& options, base:
     std::vector<IdentificationResult> needed;
     for (const std::string& name : one.needs()) needed.push_back(found.at(name));
     const double after = before + weightOf(one);
-    const bool wanted = one.name == specification.name;
-    if (options.part != nullptr && !wanted) options.part->addShared(storeOf(one, options), kIdentification);
-    Results results = Experiment(one, options, needed, wanted ? included : std::vector<bool>{true})
+    const bool last = one.name == specification.name;
+    if (options.part != nullptr && !last) options.part->addShared(storeOf(one, options), kIdentification);
+    Results results = Experiment(one, options, needed, last ? included : std::vector<bool>{true})
                           .run({progress, before / total, after / total});
     before = after;
     notices.insert(notices.end(), results.notices.begin(), results.notices.end());
     results.kept = kept += results.kept;
-    if (results.cancelled || wanted) {
+    if (results.cancelled || last) {
       results.notices = notices;
       return results;
     }

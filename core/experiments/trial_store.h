@@ -15,7 +15,7 @@ class TrialStore {
   /// `folder` is created at the first write; empty: nothing is stored.
   explicit TrialStore(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-  /// Returns the stored result of `name`, or nothing. `reason` tells why an existing file is not used: it is
+  /// Returns the stored result of `name`, or nothing. `reason` gets why an existing file is not used: it is
   /// damaged, or has another fingerprint; then it names the parts that differ.
   std::optional<nlohmann::json> find(const std::string& name, const nlohmann::json& fingerprint,
                                      std::string& reason) const;

@@ -87,21 +87,29 @@ TEST_F(CliShard, AnExperimentIsThatOfOneProcess) {
   expectTheSameForEverySharding("experiment " + specification("small", 5), {1, 2, 3, 7});
 }
 
+constexpr const char* kIdentifies =
+    "name: radius\nwork: identify\nimages: false\nidentification: {parameters: r_l}\ntrials:\n"
+    "  - {name: swing, trajectory: sinusoid, duration: 12}\n";
+
 TEST_F(CliShard, AnExperimentWithAnIdentifiedRobotIsThatOfOneProcess) {
-  write("radius.yaml",
-        "name: radius\nwork: identify\nimages: false\nidentification: {parameters: r_l}\ntrials:\n"
-        "  - {name: swing, trajectory: sinusoid, duration: 12}\n");
+  write("radius.yaml", kIdentifies);
   write("user.yaml",
         "name: user\nwork: track\nimages: false\nrobot: [radius]\ntrials:\n"
         "  - {name: a, trajectory: sinusoid, duration: 2, seed: 2}\n"
         "  - {name: b, trajectory: sinusoid, duration: 2, seed: 3}\n");
   expectTheSameForEverySharding("experiment " + path("user.yaml"), {2, 3});
+  EXPECT_TRUE(fs::exists(folder_ / "n3-2/radius"));
   EXPECT_FALSE(fs::exists(folder_ / "n3-3/radius")) << "a shard without trials identifies nothing";
+}
+
+TEST_F(CliShard, AnIdentificationIsOneTrial) {
+  write("radius.yaml", kIdentifies);
   expectTheSameForEverySharding("experiment " + path("radius.yaml"), {2});
+  EXPECT_THAT(textOf("n2-2/shard.json"), HasSubstr("\"own\": []"));
 }
 
 TEST_F(CliShard, AStudyIsThatOfOneProcess) {
-  expectTheSameForEverySharding("study filter --no-images --duration 3 --settled 1 --seeds 3 --occlude 0 40",
+  expectTheSameForEverySharding("study filter --no-images --duration 2 --settled 1 --seeds 3 --occlude 0 40",
                                 {1, 2, 3, 7});
 }
 
