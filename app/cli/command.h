@@ -19,6 +19,7 @@ void addRecord(CLI::App& app, ExitCode& exit);
 void addPlay(CLI::App& app, ExitCode& exit);
 void addIdentify(CLI::App& app, ExitCode& exit);
 void addExperiment(CLI::App& app, ExitCode& exit);
+void addMerge(CLI::App& app, ExitCode& exit);
 void addCalibrate(CLI::App& app, ExitCode& exit);
 void addRegister(CLI::App& app, ExitCode& exit);
 void addMarker(CLI::App& app, ExitCode& exit);

@@ -3,6 +3,7 @@
 #include "app/cli/command.h"
 #include "app/cli/diagnose_run.h"
 #include "app/cli/recordings.h"
+#include "app/cli/shard_option.h"
 #include "core/recording/recording_kinds.h"
 
 namespace capstan::cli {
@@ -67,6 +68,7 @@ void addDiagnose(CLI::App& app, ExitCode& exit) {
       "--report", arguments->report,
       "folder (new, empty, or of a former run) for a page with figures, the JSON and the robot file");
   command->add_option("--json", arguments->json, "result as JSON, SI: a file, or - for standard output");
+  refuseShardOption(*command, "is not for diagnosis, which explains all recordings by one model");
   command->footer(
       "The nominal model is refitted first, so that a mistuned number is not reported as a missing effect.\n"
       "The reference is the joint encoders, or without them the tip position from the cameras. Verdicts:\n"

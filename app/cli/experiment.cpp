@@ -13,6 +13,7 @@
 #include "app/cli/experiment_correction.h"
 #include "app/cli/experiment_output.h"
 #include "app/cli/outputs.h"
+#include "app/cli/shard_option.h"
 #include "core/base/software.h"
 #include "core/base/yaml.h"
 #include "core/experiments/comparison.h"
@@ -30,6 +31,7 @@ struct ExperimentArguments {
   std::string name, out = "capstan-experiments", json;
   int threads = 2;
   std::optional<bool> images;
+  ShardArguments shard;
   CorrectionExperimentArguments correction;
 };
 
@@ -61,6 +63,11 @@ bool runAll(const std::vector<Specification>& specifications, const experiments:
 }
 
 ExitCode experiment(ExperimentArguments& arguments) {
+  if (isCorrectionExperiment(arguments.name) && !arguments.shard.shard.empty())
+    refuseOption(
+        "--shard", arguments.shard.shard,
+        "is not for experiment " + arguments.name + ", which is one computation over all of its data",
+        "Run it without --shard; --threads uses more cores");
   if (isCorrectionExperiment(arguments.name))
     return runCorrectionExperiment(arguments.name, arguments.out, arguments.json, arguments.threads,
                                    arguments.correction);
@@ -70,6 +77,7 @@ ExitCode experiment(ExperimentArguments& arguments) {
   const std::vector<Specification> specifications = specificationsOf(arguments.name);
   checkOutputFolder("--out", arguments.out, {}, {});
   checkOutputs({{"--json", arguments.json}}, {});
+  ShardRun shard(arguments.shard, arguments.out, {{"--json", arguments.json}});
   const Output output(arguments.json);
   const auto begin = std::chrono::steady_clock::now();
   std::vector<Results> done;
@@ -77,11 +85,16 @@ ExitCode experiment(ExperimentArguments& arguments) {
                                {.out = arguments.out,
                                 .threads = arguments.threads,
                                 .images = arguments.images,
-                                .software = base::software()},
+                                .software = base::software(),
+                                .part = shard.part()},
                                done);
   if (!finished) {
     notice(cancelledText(done, arguments.out));
     return kFailed;
+  }
+  if (shard.isShard()) {
+    output.text(shard.finish());
+    return kOk;
   }
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   const experiments::Published published = experiments::readPublished();
@@ -116,6 +129,7 @@ void addExperiment(CLI::App& app, ExitCode& exit) {
   command->add_option("--threads", arguments->threads, "number of trials that run in parallel")
       ->capture_default_str()
       ->check(CLI::Range(1, 64));
+  addShardOption(*command, arguments->shard, "trials");
   command->add_flag_callback(
       "--images", [arguments] { arguments->images = true; },
       "render images, even if the specification excludes them");
@@ -130,6 +144,7 @@ void addExperiment(CLI::App& app, ExitCode& exit) {
       "that these identify. resources/experiments holds A.yaml … D.yaml to copy from. Examples:\n"
       "  capstan-cli experiment all --out results\n"
       "  capstan-cli experiment C --no-images --json -\n"
+      "  capstan-cli experiment D --shard 2/8 --out part-2       (one of 8 parts, for `merge`)\n"
       "  capstan-cli experiment my_trials.yaml --out results     (simulated, or recorded sessions)\n"
       "  capstan-cli experiment E poses.csv --towards robot      (a table of tip poses, as learn takes it)\n"
       "  capstan-cli experiment H --fragments 20");

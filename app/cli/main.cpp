@@ -73,6 +73,7 @@ int run(int argc, char** argv) {
   cli::addExport(app, exit);
   cli::addFigures(app, exit);
   cli::addStudy(app, exit);
+  cli::addMerge(app, exit);
   checkNumbers(app);
   refuseUnknownCommand(app, argc, argv);
   try {

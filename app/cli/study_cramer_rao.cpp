@@ -102,7 +102,8 @@ ExitCode run(Options& options, const StudyArguments& arguments) {
   options.noise.seed = options.bound.seed;
   options.noise.threads = options.bound.threads;
   return runStudy(
-      arguments, "cramer-rao", [&](base::Progress& progress) { return studied(options, progress); },
+      arguments, "cramer-rao",
+      [&](base::Progress& progress, experiments::PartialRun*) { return studied(options, progress); },
       [](const Studies&) { return false; },
       [&](const Studies& studies) { return reportOf(studies, options); });
 }
@@ -148,6 +149,7 @@ void addCramerRaoStudy(CLI::App& study, ExitCode& exit) {
   command->add_option("--seed", bound.seed, "random seed of runs and trials")->capture_default_str();
   arguments->keeps = false;
   addStudyOptions(*command, *arguments, bound.threads, "runs");
+  refuseShardOption(*command, "is not for this study, which averages all runs at every time step");
   command->footer(
       "Examples:\n"
       "  capstan-cli study cramer-rao\n"

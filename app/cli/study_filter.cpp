@@ -45,9 +45,13 @@ ExitCode run(FilterStudyOptions& options, const std::vector<std::string>& files,
   inputs.push_back(options.robot.string());
   checkStudyOutputs(arguments, "filter", {}, inputs);
   options.recordings.assign(files.begin(), files.end());
+  if (!arguments.out.empty()) options.out = std::filesystem::path(arguments.out) / "trials";
   return runStudy(
       arguments, "filter",
-      [&](base::Progress& progress) { return studies::runFilterStudy(options, progress); },
+      [&](base::Progress& progress, experiments::PartialRun* part) {
+        options.part = part;
+        return studies::runFilterStudy(options, progress);
+      },
       [](const FilterStudy& study) { return !study.comparisons.empty(); },
       [&](const FilterStudy& study) {
         const base::Table table = studies::comparisonsOf(study);
@@ -61,7 +65,6 @@ void addFilterStudy(CLI::App& study, ExitCode& exit) {
   auto options = std::make_shared<FilterStudyOptions>();
   auto files = std::make_shared<std::vector<std::string>>();
   auto arguments = std::make_shared<StudyArguments>();
-  arguments->keeps = false;
   CLI::App* command = study.add_subcommand(
       "filter", "The six-state filter of the UKF paper beside the augmented one, on the same samples");
   command->add_option(

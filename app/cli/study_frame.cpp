@@ -13,6 +13,7 @@ void addStudyOptions(CLI::App& command, StudyArguments& arguments, int& threads,
   command.add_option(
       "--out", arguments.out,
       arguments.keeps ? "folder for the tables and finished " + trials : "folder for the tables");
+  if (arguments.keeps) addShardOption(command, arguments.shard, trials);
   command.add_option("--json", arguments.json, "result as JSON, SI: a file, or - for standard output");
 }
 

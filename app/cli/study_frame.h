@@ -7,6 +7,7 @@
 #include "app/cli/command.h"
 #include "app/cli/console.h"
 #include "app/cli/outputs.h"
+#include "app/cli/shard_option.h"
 #include "core/base/progress.h"
 
 namespace capstan::cli {
@@ -16,9 +17,11 @@ struct StudyArguments {
   std::string out;    ///< --out: folder for tables and finished trials; empty: none
   std::string json;   ///< --json: file, or - for standard output; empty: none
   bool keeps = true;  ///< finished trials are stored in `out`, so that a stopped study can continue
+  ShardArguments shard = {};
 };
 
-/// Declares --threads, --out and --json. `trials`: noun in the help for the parallel trials, e.g. "samples".
+/// Declares --threads, --out, --json and, where trials are stored, --shard. `trials`: noun in the help for
+/// the parallel trials, e.g. "samples".
 void addStudyOptions(CLI::App& command, StudyArguments& arguments, int& threads, const std::string& trials);
 
 /// Results of a study for people and programs.
@@ -36,23 +39,30 @@ void checkStudyOutputs(const StudyArguments& arguments, const std::string& name,
 /// Writes the report to standard output, --json and --out (NAME.md and the report's files).
 void writeStudy(const StudyArguments& arguments, const std::string& name, const StudyReport& report);
 
-/// Runs a study and writes its report. `run(progress)` returns the study, which has `cancelled` and
-/// `notices`; it shows a line of progress, and Ctrl-C cancels it. `report(study)` returns its StudyReport.
-/// For a cancelled study, `done(study)` returns whether its results are reported all the same; the exit code
-/// is then kFailed.
+/// Runs a study and writes its report. `run(progress, part)` returns the study, which has `cancelled` and
+/// `notices`; `part` are the trials to run, null: all. It shows a line of progress, and Ctrl-C cancels it.
+/// `report(study)` returns its StudyReport. For a cancelled study, `done(study)` returns whether its results
+/// are reported all the same; the exit code is then kFailed. A shard has no report. `others`: outputs besides
+/// --out and --json (option, path).
 template <class Run, class Done, class Report>
 ExitCode runStudy(const StudyArguments& arguments, const std::string& name, Run&& run, Done&& done,
-                  Report&& report) {
+                  Report&& report, std::vector<std::pair<std::string, std::string>> others = {}) {
+  others.emplace_back("--json", arguments.json);
+  ShardRun shard(arguments.shard, arguments.out, others);
   base::Progress progress;
   const auto study = [&] {
     const ProgressLine line(progress);
-    return run(progress);
+    return run(progress, shard.part());
   }();
   for (const std::string& text : study.notices) notice(text);
   if (study.cancelled)
     notice(arguments.out.empty() || !arguments.keeps ? "cancelled"
                                                      : "cancelled: the same command goes on from here");
-  if (study.cancelled && !done(study)) return kFailed;
+  if (study.cancelled && (shard.isShard() || !done(study))) return kFailed;
+  if (shard.isShard()) {
+    Output({}).text(shard.finish());
+    return kOk;
+  }
   writeStudy(arguments, name, report(study));
   return study.cancelled ? kFailed : kOk;
 }

@@ -36,9 +36,13 @@ nlohmann::json documentOf(const HealthStudy& study) {
 
 ExitCode run(HealthStudyOptions& options, const StudyArguments& arguments) {
   checkStudyOutputs(arguments, "health", {}, {options.truth});
+  if (!arguments.out.empty()) options.out = std::filesystem::path(arguments.out) / "trials";
   return runStudy(
       arguments, "health",
-      [&](base::Progress& progress) { return studies::runHealthStudy(options, progress); },
+      [&](base::Progress& progress, experiments::PartialRun* part) {
+        options.part = part;
+        return studies::runHealthStudy(options, progress);
+      },
       [](const HealthStudy& study) { return !study.cases.empty(); },
       [&](const HealthStudy& study) {
         const base::Table table = studies::casesOf(study);
@@ -51,7 +55,6 @@ ExitCode run(HealthStudyOptions& options, const StudyArguments& arguments) {
 void addHealthStudy(CLI::App& study, ExitCode& exit) {
   auto options = std::make_shared<HealthStudyOptions>();
   auto arguments = std::make_shared<StudyArguments>();
-  arguments->keeps = false;
   CLI::App* command = study.add_subcommand(
       "health", "Verdicts of the estimator's health on simulated sessions with one known fault each");
   command->add_option("--sessions", options->sessions, "sessions per fault")

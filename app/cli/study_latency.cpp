@@ -40,7 +40,10 @@ ExitCode run(LatencyStudyOptions& options, const StudyArguments& arguments) {
   if (!arguments.out.empty()) options.out = std::filesystem::path(arguments.out) / "recordings";
   return runStudy(
       arguments, "latency",
-      [&](base::Progress& progress) { return studies::runLatencyStudy(options, progress); },
+      [&](base::Progress& progress, experiments::PartialRun* part) {
+        options.part = part;
+        return studies::runLatencyStudy(options, progress);
+      },
       [](const LatencyStudy&) { return false; },
       [&](const LatencyStudy& study) {
         const base::Table estimates = studies::estimatesOf(study, options),

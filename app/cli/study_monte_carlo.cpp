@@ -71,7 +71,10 @@ ExitCode run(MonteCarloOptions& options, const StudyArguments& arguments) {
   options.out = arguments.out;
   return runStudy(
       arguments, "monte-carlo",
-      [&](base::Progress& progress) { return studies::runMonteCarloStudy(options, progress); },
+      [&](base::Progress& progress, experiments::PartialRun* part) {
+        options.part = part;
+        return studies::runMonteCarloStudy(options, progress);
+      },
       [](const MonteCarloStudy& study) { return !study.samples.empty(); },
       [&](const MonteCarloStudy& study) { return reportOf(study, options); });
 }

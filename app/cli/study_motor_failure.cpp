@@ -56,7 +56,10 @@ ExitCode run(MotorFailureStudyOptions& options, const std::string& csv, const St
   if (!arguments.out.empty()) options.out = std::filesystem::path(arguments.out) / "trials";
   return runStudy(
       arguments, "motor-failure",
-      [&](base::Progress& progress) { return studies::runMotorFailureStudy(options, progress); },
+      [&](base::Progress& progress, experiments::PartialRun* part) {
+        options.part = part;
+        return studies::runMotorFailureStudy(options, progress);
+      },
       [](const MotorFailureStudy&) { return false; },
       [&](const MotorFailureStudy& study) {
         StudyReport report;
@@ -70,7 +73,8 @@ ExitCode run(MotorFailureStudyOptions& options, const std::string& csv, const St
         report.json = documentOf(study, options);
         report.files = {{"motor-failure.csv", details}};
         return report;
-      });
+      },
+      {{"--csv", csv}});
 }
 
 }  // namespace

@@ -38,9 +38,13 @@ nlohmann::json documentOf(const OneCameraStudy& study) {
 ExitCode run(OneCameraStudyOptions& options, const std::string& camera, const StudyArguments& arguments) {
   checkStudyOutputs(arguments, "one-camera", {}, {options.truth});
   options.blocked = camera == "left" ? live::BlockedCameras::kLeft : live::BlockedCameras::kRight;
+  if (!arguments.out.empty()) options.out = std::filesystem::path(arguments.out) / "trials";
   return runStudy(
       arguments, "one-camera",
-      [&](base::Progress& progress) { return studies::runOneCameraStudy(options, progress); },
+      [&](base::Progress& progress, experiments::PartialRun* part) {
+        options.part = part;
+        return studies::runOneCameraStudy(options, progress);
+      },
       [](const OneCameraStudy& study) { return !study.comparisons.empty(); },
       [&](const OneCameraStudy& study) {
         const base::Table table = studies::comparisonsOf(study);
@@ -55,7 +59,6 @@ void addOneCameraStudy(CLI::App& study, ExitCode& exit) {
   auto options = std::make_shared<OneCameraStudyOptions>();
   auto camera = std::make_shared<std::string>("left");
   auto arguments = std::make_shared<StudyArguments>();
-  arguments->keeps = false;
   CLI::App* command = study.add_subcommand(
       "one-camera",
       "Experiment D with one camera blocked: the UKF paper's hard switch beside the ray of the other camera");

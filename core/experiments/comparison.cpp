@@ -152,7 +152,6 @@ std::string originOf(const Results& results) {
   if (!trials.empty()) text += "; " + trials;
   const std::string truth = truthOf(results);
   if (!truth.empty()) text += "; truth " + truth;
-  if (std::isfinite(results.wall_seconds)) text += fmt::format("; wall time {:.1f} s", results.wall_seconds);
   return text + (results.software.empty() ? "" : "; " + results.software) + "\n";
 }
 

@@ -98,18 +98,40 @@ void checkFiles(const Specification& specification, const RunOptions& options) {
   checkRepeats(specification);
 }
 
+constexpr const char* kIdentification = "identification";  ///< name of the stored identification
+
+std::filesystem::path storeOf(const Specification& specification, const RunOptions& options) {
+  return options.out.empty() ? std::filesystem::path() : options.out / specification.name / "trials";
+}
+
+/// Names of the results that are computed independently of each other.
+std::vector<std::string> unitsOf(const Specification& specification) {
+  if (specification.work == Work::kIdentify) return {kIdentification};
+  std::vector<std::string> names;
+  for (const TrialSpec& trial : specification.trials) names.push_back(trial.name);
+  return names;
+}
+
+/// Which of unitsOf() are computed or read.
+std::vector<bool> includedUnits(const Specification& specification, const PartialRun* part) {
+  std::vector<bool> included;
+  for (std::size_t k = 0; k < unitsOf(specification).size(); ++k) included.push_back(includes(part, k));
+  return included;
+}
+
 /// Run of one experiment, given the results of the experiments that it needs.
 class Experiment {
  public:
   Experiment(const Specification& specification, const RunOptions& options,
-             const std::vector<IdentificationResult>& found)
-      : specification_(specification),
-        options_(options),
-        store_(options.out.empty() ? std::filesystem::path() : folder() / "trials") {
+             const std::vector<IdentificationResult>& found, const std::vector<bool>& included)
+      : specification_(specification), options_(options), store_(storeOf(specification, options)) {
     const RobotBelief belief = beliefOf(specification, found);
     const bool images = options.images.value_or(specification.images);
-    for (const TrialSpec& trial : specification.trials)
-      setups_.push_back(setUpTrial(specification, trial, belief, images, options.software));
+    for (std::size_t i = 0; i < specification.trials.size(); ++i) {
+      if (specification.work == Work::kTrack && !included[i]) continue;
+      setups_.push_back(setUpTrial(specification, specification.trials[i], belief, images, options.software));
+      setups_.back().addChecksum();
+    }
     results_.name = specification.name;
     results_.title = specification.title;
     results_.work = specification.work;
@@ -128,12 +150,13 @@ class Experiment {
     if (!options_.out.empty())
       results_.kept = results_.identification ? static_cast<int>(setups_.size())
                                               : static_cast<int>(results_.trials.size());
-    if (!results_.cancelled) finish();
+    if (!results_.cancelled && !isShard()) finish();
     return std::move(results_);
   }
 
  private:
   std::filesystem::path folder() const { return options_.out / specification_.name; }
+  bool isShard() const { return options_.part != nullptr && options_.part->isShard(); }
 
   void track(const base::ProgressSlice& progress) {
     std::vector<TrialResult> trials(setups_.size());
@@ -147,7 +170,8 @@ class Experiment {
       jobs.push_back({setups_[i].spec.name, setups_[i].weight(), [this, &trials, &done, i](auto& own) {
                         trials[i] = trackTrial(setups_[i], own);
                         if (own.cancelled()) return;
-                        keep(setups_[i].spec.name, setups_[i].fingerprint, trials[i], trials[i].seconds);
+                        keep(setups_[i].spec.name, setups_[i].fingerprint, trials[i], trials[i].seconds,
+                             trials[i].seconds);
                         done[i] = 1;
                       }});
     }
@@ -165,7 +189,7 @@ class Experiment {
     json fingerprint = {{"identification", setup.fingerprint}, {"trials", json::array()}};
     for (const TrialSetup& trial : setups_) fingerprint["trials"].push_back(trial.fingerprint);
     IdentificationResult result;
-    if (takeKept("identification", fingerprint, result, [&](const json& seconds) {
+    if (takeKept(kIdentification, fingerprint, result, [&](const json& seconds) {
           result.collect_seconds = seconds.at(0);
           result.dual_seconds = seconds.at(1);
           result.batch_seconds = seconds.at(2);
@@ -182,8 +206,9 @@ class Experiment {
                                 result.choice,
                                 "Give trials in which the robot moves before the cameras, and look at their "
                                 "motor encoders (capstan-cli info)"});
-      keep("identification", fingerprint, result,
-           json{result.collect_seconds, result.dual_seconds, result.batch_seconds});
+      keep(kIdentification, fingerprint, result,
+           json{result.collect_seconds, result.dual_seconds, result.batch_seconds},
+           result.collect_seconds + result.dual_seconds + result.batch_seconds);
     }
     if (result.method != specification_.identification.robot)
       results_.notices.push_back(fmt::format(
@@ -204,9 +229,12 @@ class Experiment {
 
   template <class Result, class TakeSeconds>
   bool takeKept(const std::string& name, const json& fingerprint, Result& result, TakeSeconds&& take) {
-    std::string notice;
-    const auto kept = store_.find(name, fingerprint, notice);
-    if (!notice.empty()) results_.notices.push_back(notice);
+    std::string reason;
+    const auto kept = store_.find(name, fingerprint, reason);
+    if (!kept && options_.part != nullptr && !isShard()) refuseStored(store_.fileOf(name), reason);
+    if (!reason.empty())
+      results_.notices.push_back(
+          fmt::format("{}: {}; this trial is run again", store_.fileOf(name).string(), reason));
     if (!kept) return false;
     takeNumbers(kept->at("numbers"), result);
     takeSeries(kept->at("series"), result);
@@ -215,9 +243,11 @@ class Experiment {
   }
 
   template <class Result>
-  void keep(const std::string& name, const json& fingerprint, const Result& result, const json& seconds) {
+  void keep(const std::string& name, const json& fingerprint, const Result& result, const json& seconds,
+            double elapsed) {
     store_.keep(name, fingerprint,
-                {{"numbers", numbersOf(result)}, {"series", seriesOf(result)}, {"seconds", seconds}});
+                {{"numbers", numbersOf(result)}, {"series", seriesOf(result)}, {"seconds", seconds}},
+                elapsed);
   }
 
   /// Writes the results. Where nothing was computed, the computing time of the earlier run is kept.
@@ -252,6 +282,9 @@ Results run(const Specification& specification, const RunOptions& options, base:
     checkFiles(one, options);
     total += weightOf(one);
   }
+  const std::vector<bool> included = includedUnits(specification, options.part);
+  if (options.part != nullptr) options.part->add(storeOf(specification, options), unitsOf(specification));
+  if (std::find(included.begin(), included.end(), true) == included.end()) return {};
   std::map<std::string, IdentificationResult> found;
   std::vector<std::string> notices;
   int kept = 0;
@@ -259,11 +292,14 @@ Results run(const Specification& specification, const RunOptions& options, base:
     std::vector<IdentificationResult> needed;
     for (const std::string& name : one.needs()) needed.push_back(found.at(name));
     const double after = before + weightOf(one);
-    Results results = Experiment(one, options, needed).run({progress, before / total, after / total});
+    const bool last = one.name == specification.name;
+    if (options.part != nullptr && !last) options.part->addShared(storeOf(one, options), kIdentification);
+    Results results = Experiment(one, options, needed, last ? included : std::vector<bool>{true})
+                          .run({progress, before / total, after / total});
     before = after;
     notices.insert(notices.end(), results.notices.begin(), results.notices.end());
     results.kept = kept += results.kept;
-    if (results.cancelled || one.name == specification.name) {
+    if (results.cancelled || last) {
       results.notices = notices;
       return results;
     }

@@ -65,14 +65,13 @@ simulation::SimulatedOptions simulationOf(const Specification& specification, co
   return blaming(specification, trial.name, "trajectory", trial.trajectory, make);
 }
 
-/// Name, size and time of change of a file: they identify its state without reading it.
+/// Name and size of a file.
 json stateOf(const std::string& file) {
   std::error_code fault;
   const auto size = fs::file_size(file, fault);
   if (fault)
     throw base::InputError({file, 0, {}, {}, "cannot be read", "Check the path and its permissions"});
-  const auto age = fs::last_write_time(file, fault).time_since_epoch().count();
-  return {{"file", fs::path(file).filename().string()}, {"bytes", size}, {"written", age}};
+  return {{"file", fs::path(file).filename().string()}, {"bytes", size}};
 }
 
 /// Text of the CSV that a trajectory replays, for the fingerprint of the trial.
@@ -115,6 +114,10 @@ RobotBelief beliefOf(const Specification& specification, const std::vector<Ident
 
 double TrialSetup::weight() const { return recording.empty() ? spec.duration : 200.0; }
 
+void TrialSetup::addChecksum() {
+  if (!recording.empty()) fingerprint["source"]["checksum"] = base::checksumOfFile(recording);
+}
+
 TrialSetup setUpTrial(const Specification& specification, const TrialSpec& trial, const RobotBelief& belief,
                       bool images, const std::string& software) {
   TrialSetup setup;
@@ -143,7 +146,7 @@ TrialSetup setUpTrial(const Specification& specification, const TrialSpec& trial
     setup.inputs.recording =
         fmt::format("{}, {} bytes", state["file"].get<std::string>(), state["bytes"].get<std::uint64_t>());
   }
-  setup.fingerprint = {{"format", 2},
+  setup.fingerprint = {{"format", 3},
                        {"software", software},
                        {"name", trial.name},
                        {"seed", trial.seed},

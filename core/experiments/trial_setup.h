@@ -36,11 +36,15 @@ struct TrialSetup {
   robot::Description table_robot;                         ///< robot of recordings that contain none
   recording::ReadAs read_as;                              ///< units of a measured table
   RobotBelief belief;
-  TrialInputs inputs;          ///< inputs that are known before the recording is opened
-  nlohmann::json fingerprint;  ///< all inputs that the result depends on
+  TrialInputs inputs;  ///< inputs that are known before the recording is opened
+  /// All inputs that the result depends on; of a recording its checksum, once it was added.
+  nlohmann::json fingerprint;
 
   /// Relative computing time, for the order of work.
   double weight() const;
+  /// Adds the checksum of the recording, if there is one, to the fingerprint. Reads the whole file. Throws
+  /// base::InputError when it cannot be read.
+  void addChecksum();
 };
 
 /// Sets up a trial. Throws base::InputError for missing or unusable files of the specification.

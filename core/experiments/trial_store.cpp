@@ -30,34 +30,50 @@ std::filesystem::path TrialStore::fileOf(const std::string& name) const {
 }
 
 std::optional<nlohmann::json> TrialStore::find(const std::string& name, const nlohmann::json& fingerprint,
-                                               std::string& notice) const {
+                                               std::string& reason) const {
   std::error_code ignored;
   const auto file = fileOf(name);
   if (folder_.empty() || !std::filesystem::exists(file, ignored)) return std::nullopt;
   try {
-    nlohmann::json document = nlohmann::json::parse(base::readTextFile(file));
-    if (const nlohmann::json& of = document.at("fingerprint"); of != fingerprint) {
-      notice = fmt::format("{}: was made from something else ({}); this trial is run again", file.string(),
-                           differencesOf(of, fingerprint));
-      return std::nullopt;
-    }
-    nlohmann::json result = std::move(document.at("result"));
-    if (document.at("checksum") == base::checksumOf(result.dump())) return result;
-    notice = fmt::format("{}: is damaged (wrong checksum); this trial is run again", file.string());
-  } catch (const nlohmann::json::exception& error) {
-    notice = fmt::format("{}: is damaged ({}); this trial is run again", file.string(), error.what());
+    StoredTrial stored = readStoredTrial(file);
+    if (stored.fingerprint == fingerprint) return std::move(stored.result);
+    reason = fmt::format("was made from something else ({})", differencesOf(stored.fingerprint, fingerprint));
   } catch (const base::InputError& error) {
-    notice = fmt::format("{}; this trial is run again", error.what());
+    reason = error.fault().reason;
   }
   return std::nullopt;
 }
 
+StoredTrial readStoredTrial(const std::filesystem::path& file) {
+  std::string damage = "wrong checksum";
+  StoredTrial stored;
+  stored.text = base::readTextFile(file);
+  try {
+    nlohmann::json document = nlohmann::json::parse(stored.text);
+    stored.fingerprint = std::move(document.at("fingerprint"));
+    stored.result = std::move(document.at("result"));
+    const auto seconds = document.find("seconds");
+    stored.seconds = seconds == document.end() ? kNone : seconds->get<double>();
+    if (document.at("checksum") == base::checksumOf(stored.result.dump())) return stored;
+  } catch (const nlohmann::json::exception& error) {
+    damage = error.what();
+  }
+  throw base::InputError({file.string(),
+                          0,
+                          {},
+                          {},
+                          fmt::format("is damaged ({})", damage),
+                          "Remove this file: the command that wrote it computes it again"});
+}
+
 void TrialStore::keep(const std::string& name, const nlohmann::json& fingerprint,
-                      const nlohmann::json& result) const {
+                      const nlohmann::json& result, double seconds) const {
   if (folder_.empty()) return;
   std::filesystem::create_directories(folder_);
-  const nlohmann::json document = {
-      {"fingerprint", fingerprint}, {"checksum", base::checksumOf(result.dump())}, {"result", result}};
+  const nlohmann::json document = {{"fingerprint", fingerprint},
+                                   {"checksum", base::checksumOf(result.dump())},
+                                   {"result", result},
+                                   {"seconds", seconds}};
   base::writeTextFile(fileOf(name), document.dump() + "\n");
 }
 

@@ -1,5 +1,10 @@
 #include "core/math/instruction_set.h"
 
+#include <cstdlib>
+#include <string>
+
+#include "core/base/error.h"
+
 namespace capstan::math {
 
 bool isAvailable(InstructionSet set) {
@@ -19,8 +24,25 @@ bool isAvailable(InstructionSet set) {
 #endif
 }
 
+namespace {
+
+InstructionSet requestedInstructionSet(const std::string& name) {
+  for (const InstructionSet set : kInstructionSets)
+    if (name == nameOf(set) && isAvailable(set)) return set;
+  throw base::InputError({{},
+                          0,
+                          "CAPSTAN_INSTRUCTION_SET",
+                          name,
+                          "is no instruction set of this program and processor",
+                          "Set it to baseline, AVX2+FMA or AVX-512, or remove it from the environment"});
+}
+
+}  // namespace
+
 InstructionSet bestInstructionSet() {
   static const InstructionSet best = [] {
+    const char* requested = std::getenv("CAPSTAN_INSTRUCTION_SET");
+    if (requested != nullptr) return requestedInstructionSet(requested);
     InstructionSet widest = InstructionSet::kBaseline;
     for (const InstructionSet set : kInstructionSets)
       if (isAvailable(set)) widest = set;

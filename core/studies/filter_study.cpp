@@ -3,15 +3,18 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <functional>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "core/base/workers.h"
+#include "core/base/checksum.h"
+#include "core/base/yaml.h"
+#include "core/experiments/trial_store.h"
 #include "core/live/occluded_source.h"
 #include "core/recording/table_source.h"
 #include "core/simulation/simulation_request.h"
 #include "core/studies/disturbances.h"
+#include "core/studies/kept_trials.h"
 #include "core/studies/true_radii.h"
 #include "core/tracking/arrival.h"
 #include "core/tracking/make_pipeline.h"
@@ -21,6 +24,7 @@ namespace capstan::studies {
 namespace {
 
 using Eigen::Vector3d;
+using nlohmann::json;
 using tracking::FilterKind;
 
 /// One filter, its errors, and its NIS once settled.
@@ -97,32 +101,121 @@ std::vector<FilterComparison> compare(tracking::Source& source, const std::vecto
 
 using Comparisons = std::vector<FilterComparison>;
 
-Comparisons simulate(const FilterStudyOptions& options, int trial, double occlusion,
-                     const Disturbance& disturbance, base::Progress& progress) {
+/// One recording or simulation with one occlusion and one disturbance.
+struct FilterTrial {
+  std::size_t recording;  ///< index of the recording or of the simulation
+  double occlusion;       ///< [%]
+  const Disturbance* disturbance;
+};
+
+simulation::SimulationRequest requestOf(const FilterStudyOptions& options, const FilterTrial& trial) {
   simulation::SimulationRequest request;
   request.truth = options.truth;
   request.duration = options.duration;
   request.images = options.images && !options.disturbed;
-  request.seed = options.seed + static_cast<std::uint64_t>(trial);
+  request.seed = options.seed + trial.recording;
+  return request;
+}
+
+json fingerprintOf(const FilterStudyOptions& options, const FilterTrial& trial) {
+  json fingerprint = {{"software", options.software},
+                      {"occlusion", trial.occlusion},
+                      {"disturbance", trial.disturbance->name},
+                      {"settled", options.settled}};
+  if (!options.recordings.empty()) {
+    const robot::Description robot = robot::readDescriptionOrDefault(options.robot);
+    fingerprint["recording"] = base::checksumOfFile(options.recordings[trial.recording]);
+    fingerprint["nominal robot"] = robot::formatDescription(robot);
+    return fingerprint;
+  }
+  const simulation::SimulationRequest request = requestOf(options, trial);
+  const simulation::SimulatedOptions simulated = simulation::optionsOf(request);
+  fingerprint["seed"] = request.seed;
+  fingerprint["images"] = request.images;
+  fingerprint["nominal robot"] = robot::formatDescription(simulated.robot);
+  fingerprint["truth"] = simulation::formatTruth(simulated.truth);
+  fingerprint["trajectory"] = base::writeYaml(simulated.trajectory);
+  return fingerprint;
+}
+
+Comparisons simulate(const FilterStudyOptions& options, const FilterTrial& trial, base::Progress& progress) {
+  const simulation::SimulationRequest request = requestOf(options, trial);
   const simulation::SimulatedOptions simulated = simulation::optionsOf(request);
   simulation::SimulatedSource source(simulated);
   const robot::Description& nominal = source.info().robot;
   FilterComparison about;
   about.recording = fmt::format("seed {}", request.seed);
-  about.occlusion = occlusion;
+  about.occlusion = trial.occlusion;
   return compare(source, {{"nominal", nominal}, {"true radii", withTrueRadii(nominal, simulated.truth)}},
-                 disturbance, about, options.settled, progress);
+                 *trial.disturbance, about, options.settled, progress);
 }
 
-Comparisons replay(const FilterStudyOptions& options, const std::filesystem::path& file, double occlusion,
-                   const Disturbance& disturbance, base::Progress& progress) {
+Comparisons replay(const FilterStudyOptions& options, const FilterTrial& trial, base::Progress& progress) {
+  const std::filesystem::path& file = options.recordings[trial.recording];
   const robot::Description robot = robot::readDescriptionOrDefault(options.robot);
   const auto source = recording::openRecording(file, robot);
   FilterComparison about;
   about.recording = file.filename().string();
-  about.occlusion = occlusion;
-  return compare(*source, {{source->info().robot.name, source->info().robot}}, disturbance, about,
+  about.occlusion = trial.occlusion;
+  return compare(*source, {{source->info().robot.name, source->info().robot}}, *trial.disturbance, about,
                  options.settled, progress);
+}
+
+std::string nameOf(const FilterStudyOptions& options, const FilterTrial& trial) {
+  const std::string source = options.recordings.empty()
+                                 ? fmt::format("seed {}", options.seed + trial.recording)
+                                 : fmt::format("recording {} {}", trial.recording + 1,
+                                               options.recordings[trial.recording].filename().string());
+  return fmt::format("{}, {:g} % occluded, {}", source, trial.occlusion, trial.disturbance->name);
+}
+
+json jsonOf(const FilterResult& result) {
+  return {{"ukf", vectorOrNull(result.ukf)},
+          {"seen", vectorOrNull(result.seen)},
+          {"nis", numberOrNull(result.nis)},
+          {"consistent", numberOrNull(result.consistent)},
+          {"nees", numberOrNull(result.nees)},
+          {"scale", vectorOrNull(result.transmission.scale)},
+          {"offset", vectorOrNull(result.transmission.offset)}};
+}
+
+FilterResult resultOf(const json& document) {
+  FilterResult result;
+  result.ukf = vectorOrNan(document.at("ukf"));
+  result.seen = vectorOrNan(document.at("seen"));
+  result.nis = numberOrNan(document.at("nis"));
+  result.consistent = numberOrNan(document.at("consistent"));
+  result.nees = numberOrNan(document.at("nees"));
+  result.transmission.scale = vectorOrNan(document.at("scale"));
+  result.transmission.offset = vectorOrNan(document.at("offset"));
+  return result;
+}
+
+json jsonOf(const Comparisons& comparisons) {
+  json all = json::array();
+  for (const FilterComparison& one : comparisons)
+    all.push_back({{"recording", one.recording},
+                   {"robot", one.robot},
+                   {"disturbance", one.disturbance},
+                   {"occlusion", one.occlusion},
+                   {"kinematic", vectorOrNull(one.kinematic)},
+                   {"camera", vectorOrNull(one.camera)},
+                   {"six_state", jsonOf(one.six_state)},
+                   {"augmented", jsonOf(one.augmented)}});
+  return all;
+}
+
+FilterComparison comparisonOf(const json& document) {
+  FilterComparison one;
+  document.at("recording").get_to(one.recording);
+  document.at("robot").get_to(one.robot);
+  document.at("disturbance").get_to(one.disturbance);
+  document.at("occlusion").get_to(one.occlusion);
+  one.kinematic = vectorOrNan(document.at("kinematic"));
+  one.camera = vectorOrNan(document.at("camera"));
+  one.six_state = resultOf(document.at("six_state"));
+  one.augmented = resultOf(document.at("augmented"));
+  return one;
 }
 
 /// Joints in deg, deg, mm.
@@ -137,24 +230,24 @@ FilterStudy runFilterStudy(const FilterStudyOptions& options, base::Progress& pr
   const std::size_t disturbed = options.disturbed ? all.size() : 1;
   const std::size_t recordings =
       options.recordings.empty() ? static_cast<std::size_t>(options.seeds) : options.recordings.size();
-  std::vector<Comparisons> done(recordings * options.occlusions.size() * disturbed);
-  std::vector<base::Job> jobs;
-  for (std::size_t i = 0; i < done.size(); ++i) {
-    const std::size_t r = i / disturbed % recordings;
-    const double occlusion = options.occlusions[i / disturbed / recordings];
-    jobs.push_back(
-        {fmt::format("{} of {}", i + 1, done.size()), 1.0,
-         [&into = done[i], &options, &disturbance = all[i % disturbed], occlusion, r](base::Progress& part) {
-           into = options.recordings.empty()
-                      ? simulate(options, static_cast<int>(r), occlusion, disturbance, part)
-                      : replay(options, options.recordings[r], occlusion, disturbance, part);
-         }});
+  std::vector<KeptTrial> trials;
+  for (std::size_t i = 0; i < recordings * options.occlusions.size() * disturbed; ++i) {
+    const FilterTrial trial{.recording = i / disturbed % recordings,
+                            .occlusion = options.occlusions[i / disturbed / recordings],
+                            .disturbance = &all[i % disturbed]};
+    trials.push_back({nameOf(options, trial), [&options, trial] { return fingerprintOf(options, trial); },
+                      [&options, trial](base::Progress& own) {
+                        return jsonOf(options.recordings.empty() ? simulate(options, trial, own)
+                                                                 : replay(options, trial, own));
+                      }});
   }
-  base::doAll(jobs, options.threads, {progress});
+  KeptResults kept =
+      runKept(trials, experiments::TrialStore(options.out), options.threads, progress, options.part);
   FilterStudy study;
-  study.cancelled = progress.cancelled();
-  for (const Comparisons& some : done)
-    study.comparisons.insert(study.comparisons.end(), some.begin(), some.end());
+  study.notices = std::move(kept.notices);
+  study.cancelled = kept.cancelled;
+  for (const json& some : kept.results)
+    for (const json& one : some) study.comparisons.push_back(comparisonOf(one));
   return study;
 }
 

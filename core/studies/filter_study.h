@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "core/base/progress.h"
+#include "core/base/software.h"
 #include "core/base/table.h"
+#include "core/experiments/shard.h"
 #include "core/tracking/transmission_estimate.h"
 
 namespace capstan::studies {
@@ -27,6 +29,11 @@ struct FilterStudyOptions {
   bool disturbed = false;  ///< true: each session with each of disturbances(), by tip positions
   double settled = 20.0;   ///< start time of the NIS statistics [s]
   int threads = 2;         ///< number of worker threads; the result does not depend on it
+  /// Folder of finished trials, which are not run again unless program, options or inputs changed; empty:
+  /// none.
+  std::filesystem::path out;
+  std::string software = base::software();  ///< program that a stored trial must come from
+  experiments::PartialRun* part = nullptr;  ///< trials that are run, if not all; needs `out`
 };
 
 /// Result of one filter on one recording.

@@ -7,11 +7,14 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "core/base/units.h"
-#include "core/base/workers.h"
+#include "core/base/yaml.h"
+#include "core/experiments/trial_store.h"
 #include "core/live/motor_failures.h"
 #include "core/simulation/simulation_request.h"
+#include "core/studies/kept_trials.h"
 #include "core/studies/true_radii.h"
 #include "core/tracking/arrival.h"
 #include "core/tracking/make_pipeline.h"
@@ -20,6 +23,7 @@
 namespace capstan::studies {
 namespace {
 
+using nlohmann::json;
 using tracking::HealthVerdict;
 using tracking::Sample;
 using tracking::StereoFrame;
@@ -102,13 +106,53 @@ struct Outcome {
   Eigen::Vector3d nis, rms;
 };
 
-std::vector<Outcome> session(const HealthStudyOptions& options, std::uint64_t seed,
-                             base::Progress& progress) {
+json jsonOf(const std::vector<Outcome>& outcomes) {
+  json all = json::array();
+  for (const Outcome& outcome : outcomes) {
+    json checks = json::array();
+    for (const tracking::HealthCheck& check : outcome.checks)
+      checks.push_back({check.key, static_cast<int>(check.verdict)});
+    all.push_back(
+        {{"checks", checks}, {"nis", vectorOrNull(outcome.nis)}, {"rms", vectorOrNull(outcome.rms)}});
+  }
+  return all;
+}
+
+/// Outcomes with key and verdict of each check only.
+std::vector<Outcome> outcomesOf(const json& document) {
+  std::vector<Outcome> outcomes;
+  for (const json& one : document) {
+    Outcome& outcome = outcomes.emplace_back();
+    for (const json& check : one.at("checks"))
+      outcome.checks.push_back({.key = check.at(0).get<std::string>(),
+                                .verdict = static_cast<HealthVerdict>(check.at(1).get<int>())});
+    outcome.nis = vectorOrNan(one.at("nis"));
+    outcome.rms = vectorOrNan(one.at("rms"));
+  }
+  return outcomes;
+}
+
+simulation::SimulatedOptions simulationOf(const HealthStudyOptions& options, std::uint64_t seed) {
   simulation::SimulationRequest request;
   request.truth = options.truth;
   request.duration = options.duration;
   request.seed = seed;
-  const simulation::SimulatedOptions simulated = simulation::optionsOf(request);
+  return simulation::optionsOf(request);
+}
+
+json fingerprintOf(const HealthStudyOptions& options, std::uint64_t seed) {
+  const simulation::SimulatedOptions simulated = simulationOf(options, seed);
+  return {{"software", options.software},
+          {"seed", seed},
+          {"duration", options.duration},
+          {"nominal robot", robot::formatDescription(simulated.robot)},
+          {"truth", simulation::formatTruth(simulated.truth)},
+          {"trajectory", base::writeYaml(simulated.trajectory)}};
+}
+
+std::vector<Outcome> session(const HealthStudyOptions& options, std::uint64_t seed,
+                             base::Progress& progress) {
+  const simulation::SimulatedOptions simulated = simulationOf(options, seed);
   simulation::SimulatedSource source(simulated);
   std::vector<Candidate> candidates;
   for (Fault& fault : faults())
@@ -146,17 +190,20 @@ void add(const Outcome& outcome, HealthStudyCase& to) {
 }  // namespace
 
 HealthStudy runHealthStudy(const HealthStudyOptions& options, base::Progress& progress) {
-  std::vector<std::vector<Outcome>> done(static_cast<std::size_t>(options.sessions));
-  std::vector<base::Job> jobs;
-  for (std::size_t i = 0; i < done.size(); ++i)
-    jobs.push_back({fmt::format("session {}", i + 1), 1.0,
-                    [&into = done[i], &options, seed = options.seed + i](base::Progress& part) {
-                      into = session(options, seed, part);
-                    }});
-  base::doAll(jobs, options.threads, {progress});
+  std::vector<KeptTrial> trials;
+  const auto sessions = static_cast<std::uint64_t>(options.sessions);
+  for (std::uint64_t seed = options.seed; seed < options.seed + sessions; ++seed)
+    trials.push_back({fmt::format("session {}", seed),
+                      [&options, seed] { return fingerprintOf(options, seed); },
+                      [&options, seed](base::Progress& own) { return jsonOf(session(options, seed, own)); }});
+  KeptResults kept =
+      runKept(trials, experiments::TrialStore(options.out), options.threads, progress, options.part);
   HealthStudy study;
-  study.cancelled = progress.cancelled();
-  if (study.cancelled) return study;
+  study.notices = std::move(kept.notices);
+  study.cancelled = kept.cancelled;
+  if (!kept.complete()) return study;
+  std::vector<std::vector<Outcome>> done;
+  for (const json& result : kept.results) done.push_back(outcomesOf(result));
   const std::vector<Fault> all = faults();
   for (std::size_t i = 0; i < all.size(); ++i) {
     HealthStudyCase one;

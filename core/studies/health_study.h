@@ -3,11 +3,14 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "core/base/progress.h"
+#include "core/base/software.h"
 #include "core/base/table.h"
+#include "core/experiments/shard.h"
 #include "core/tracking/health.h"
 
 namespace capstan::studies {
@@ -20,6 +23,11 @@ struct HealthStudyOptions {
   std::uint64_t seed = 21;        ///< of the first session; the limits were chosen on seeds 1 to 10
   int sessions = 20;              ///< sessions per fault
   int threads = 2;                ///< number of worker threads; the result does not depend on it
+  /// Folder of finished trials, which are not run again unless program, options or inputs changed; empty:
+  /// none.
+  std::filesystem::path out;
+  std::string software = base::software();  ///< program that a stored trial must come from
+  experiments::PartialRun* part = nullptr;  ///< trials that are run, if not all; needs `out`
 };
 
 /// Verdicts on the sessions with one fault.

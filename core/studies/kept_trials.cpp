@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -19,30 +20,45 @@ std::vector<std::string> summedUp(const std::vector<std::string>& notices) {
   return few;
 }
 
+std::vector<std::string> namesOf(const std::vector<KeptTrial>& trials) {
+  std::vector<std::string> names;
+  for (const KeptTrial& trial : trials) names.push_back(trial.name);
+  return names;
+}
+
 }  // namespace
 
 KeptResults runKept(const std::vector<KeptTrial>& trials, const experiments::TrialStore& store, int threads,
-                    base::Progress& progress) {
+                    base::Progress& progress, experiments::PartialRun* part) {
   KeptResults all;
   all.results.resize(trials.size());
+  all.shard = part != nullptr && part->isShard();
+  const bool stored_only = part != nullptr && !all.shard;
   std::vector<base::Job> jobs;
   for (std::size_t i = 0; i < trials.size(); ++i) {
     const KeptTrial& trial = trials[i];
-    std::string notice;
-    auto kept = store.find(trial.name, trial.fingerprint, notice);
-    if (!notice.empty()) all.notices.push_back(std::move(notice));
+    if (!experiments::includes(part, i)) continue;
+    std::string reason;
+    auto kept = store.find(trial.name, trial.fingerprint(), reason);
+    if (!kept && stored_only) experiments::refuseStored(store.fileOf(trial.name), reason);
+    if (!reason.empty())
+      all.notices.push_back(
+          fmt::format("{}: {}; this trial is run again", store.fileOf(trial.name).string(), reason));
     if (kept) {
       all.results[i] = std::move(*kept);
       continue;
     }
     jobs.push_back(
         {trial.name, trial.weight, [&trial, &store, &result = all.results[i]](base::Progress& own) {
+           const auto begin = std::chrono::steady_clock::now();
            nlohmann::json made = trial.run(own);
            if (own.cancelled()) return;
-           store.keep(trial.name, trial.fingerprint, made);
+           const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
+           store.keep(trial.name, trial.fingerprint(), made, elapsed.count());
            result = std::move(made);
          }});
   }
+  if (part != nullptr) part->add(store.folder(), namesOf(trials));
   base::doAll(jobs, threads, {progress});
   all.notices = summedUp(all.notices);
   all.cancelled = progress.cancelled();
@@ -55,6 +71,14 @@ nlohmann::json numberOrNull(double value) {
 
 double numberOrNan(const nlohmann::json& value) {
   return value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>();
+}
+
+nlohmann::json vectorOrNull(const Eigen::Vector3d& v) {
+  return {numberOrNull(v(0)), numberOrNull(v(1)), numberOrNull(v(2))};
+}
+
+Eigen::Vector3d vectorOrNan(const nlohmann::json& value) {
+  return {numberOrNan(value.at(0)), numberOrNan(value.at(1)), numberOrNan(value.at(2))};
 }
 
 }  // namespace capstan::studies

@@ -135,17 +135,18 @@ LatencyStudy runLatencyStudy(const LatencyStudyOptions& options, base::Progress&
                                 {"nominal robot", robot::formatDescription(robot.robot)},
                                 {"truth", simulation::formatTruth(robot.truth)},
                                 {"trajectory", base::writeYaml(robot.trajectory)}};
-      trials.push_back({fmt::format("stamps {:g} ms {}, seed {}", 1e3 * std::abs(delay),
-                                    delay < 0.0 ? "early" : "late", seed),
-                        fingerprint, [&options, robot](base::Progress& own) {
-                          return jsonOf(runTrial(options, robot, own));
-                        }});
+      trials.push_back(
+          {fmt::format("stamps {:g} ms {}, seed {}", 1e3 * std::abs(delay), delay < 0.0 ? "early" : "late",
+                       seed),
+           [fingerprint] { return fingerprint; },
+           [&options, robot](base::Progress& own) { return jsonOf(runTrial(options, robot, own)); }});
     }
   LatencyStudy study;
-  KeptResults kept = runKept(trials, experiments::TrialStore(options.out), options.threads, progress);
+  KeptResults kept =
+      runKept(trials, experiments::TrialStore(options.out), options.threads, progress, options.part);
   study.notices = std::move(kept.notices);
   study.cancelled = kept.cancelled;
-  if (study.cancelled) return study;
+  if (!kept.complete()) return study;
   for (std::size_t i = 0; i < kept.results.size(); ++i)
     study.trials.push_back(trialOf(kept.results[i], options.seed + i % seeds));
   return study;

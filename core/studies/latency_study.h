@@ -10,6 +10,7 @@
 #include "core/base/progress.h"
 #include "core/base/software.h"
 #include "core/base/table.h"
+#include "core/experiments/shard.h"
 #include "core/experiments/specification.h"
 
 namespace capstan::studies {
@@ -33,6 +34,7 @@ struct LatencyStudyOptions {
   int threads = 2;                ///< number of recordings in parallel; the result does not depend on it
   std::filesystem::path out;      ///< folder of finished recordings, which are not run again; empty: none
   std::string software = base::software();  ///< program that a stored result must come from
+  experiments::PartialRun* part = nullptr;  ///< trials that are run, if not all; needs `out`
 };
 
 struct LatencyTrial {

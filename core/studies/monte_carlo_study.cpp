@@ -19,11 +19,13 @@ using nlohmann::json;
 
 std::size_t at(experiments::Method method) { return method == experiments::Method::kDualUkf ? 0 : 1; }
 
+std::string nameOfSample(std::uint64_t seed) { return fmt::format("sample {}", seed); }
+
 experiments::TrialSetup setUpSample(const MonteCarloOptions& options,
                                     const experiments::IdentificationSetup& identification,
                                     std::uint64_t seed) {
   experiments::TrialSetup setup;
-  setup.spec.name = fmt::format("sample {}", seed);
+  setup.spec.name = nameOfSample(seed);
   setup.spec.duration = options.duration;
   setup.spec.seed = seed;
   simulation::SimulationRequest request;
@@ -133,13 +135,15 @@ MonteCarloStudy runMonteCarloStudy(const MonteCarloOptions& options, base::Progr
 
   std::vector<KeptTrial> trials;
   for (std::uint64_t seed = options.seed; trials.size() < static_cast<std::size_t>(options.samples); ++seed) {
-    const experiments::TrialSetup sample = setUpSample(options, setup, seed);
-    trials.push_back({sample.spec.name, sample.fingerprint, [sample, &setup](base::Progress& own) {
-                        return jsonOf(experiments::identifyTrials({sample}, setup, 1, {own}));
-                      }});
+    trials.push_back(
+        {nameOfSample(seed),
+         [&options, &setup, seed] { return setUpSample(options, setup, seed).fingerprint; },
+         [&options, &setup, seed](base::Progress& own) {
+           return jsonOf(experiments::identifyTrials({setUpSample(options, setup, seed)}, setup, 1, {own}));
+         }});
   }
   const experiments::TrialStore store(options.out.empty() ? options.out : options.out / "samples");
-  KeptResults kept = runKept(trials, store, options.threads, progress);
+  KeptResults kept = runKept(trials, store, options.threads, progress, options.part);
   study.notices = std::move(kept.notices);
   study.cancelled = kept.cancelled;
   for (std::size_t k = 0; k < kept.results.size(); ++k)

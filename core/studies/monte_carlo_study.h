@@ -10,6 +10,7 @@
 #include "core/base/progress.h"
 #include "core/base/software.h"
 #include "core/base/table.h"
+#include "core/experiments/shard.h"
 #include "core/experiments/specification.h"
 #include "core/stats/interval.h"
 #include "core/studies/randomized_robot.h"
@@ -33,6 +34,7 @@ struct MonteCarloOptions {
   /// none.
   std::filesystem::path out;
   std::string software = base::software();  ///< program that a stored sample must come from
+  experiments::PartialRun* part = nullptr;  ///< trials that are run, if not all; needs `out`
 };
 
 /// One parameter of one Monte-Carlo sample, SI.

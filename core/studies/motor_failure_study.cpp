@@ -207,21 +207,16 @@ json fingerprintOf(const MotorFailureStudyOptions& options, const simulation::Si
           {"truth", simulation::formatTruth(robot.truth)}};
 }
 
-json vectorJson(const Vector3d& v) { return {numberOrNull(v(0)), numberOrNull(v(1)), numberOrNull(v(2))}; }
-Vector3d vectorOf(const json& of) {
-  return {numberOrNan(of.at(0)), numberOrNan(of.at(1)), numberOrNan(of.at(2))};
-}
-
 json jsonOf(const TrialResults& results) {
   json all = json::array();
   for (const MotorFailureResult& one : results) {
     json document = {{"speed", one.speed},
                      {"occlusion", one.occlusion},
-                     {"failed", vectorJson(one.failed_rms)},
+                     {"failed", vectorOrNull(one.failed_rms)},
                      {"found", numberOrNull(one.found)},
                      {"nees", numberOrNull(one.nees)}};
     for (std::size_t i = 0; i < kNormalErrors; ++i)
-      document["normal"].push_back({{"rms", vectorJson(one.normal_rms[i])},
+      document["normal"].push_back({{"rms", vectorOrNull(one.normal_rms[i])},
                                     {"held", one.within[i].held},
                                     {"share", numberOrNull(one.within[i].share)},
                                     {"whole", one.within[i].whole}});
@@ -236,12 +231,12 @@ MotorFailureResult resultOf(const json& trial, int which) {
   one.motor = which;
   document.at("speed").get_to(one.speed);
   document.at("occlusion").get_to(one.occlusion);
-  one.failed_rms = vectorOf(document.at("failed"));
+  one.failed_rms = vectorOrNan(document.at("failed"));
   one.found = numberOrNan(document.at("found"));
   one.nees = numberOrNan(document.at("nees"));
   for (std::size_t i = 0; i < kNormalErrors; ++i) {
     const json& normal = document.at("normal").at(i);
-    one.normal_rms[i] = vectorOf(normal.at("rms"));
+    one.normal_rms[i] = vectorOrNan(normal.at("rms"));
     one.within[i] = {.held = normal.at("held").get<double>(),
                      .share = numberOrNan(normal.at("share")),
                      .whole = normal.at("whole").get<int>()};
@@ -268,16 +263,19 @@ MotorFailureStudy runMotorFailureStudy(const MotorFailureStudyOptions& options, 
         trials.push_back(
             {fmt::format("{}{}, speed {:g}, {:g} % occluded, seed {}", base::nameOf(options.fault),
                          options.images ? ", pictures" : "", speed, occlusion, seed),
-             fingerprintOf(options, robot, speed, occlusion, seed),
+             [&options, robot, speed, occlusion, seed] {
+               return fingerprintOf(options, robot, speed, occlusion, seed);
+             },
              [&options, robot, speed, occlusion, seed](base::Progress& own) {
                return jsonOf(runTrial(options, robot, speed, occlusion, seed, own));
              }});
       }
   MotorFailureStudy study;
-  KeptResults kept = runKept(trials, experiments::TrialStore(options.out), options.threads, progress);
+  KeptResults kept =
+      runKept(trials, experiments::TrialStore(options.out), options.threads, progress, options.part);
   study.notices = std::move(kept.notices);
   study.cancelled = kept.cancelled;
-  if (study.cancelled) return study;
+  if (!kept.complete()) return study;
   for (int which = 0; which < kCases; ++which)
     for (std::size_t place = 0; place < trials.size() / seeds; ++place) {
       std::vector<MotorFailureResult> of;

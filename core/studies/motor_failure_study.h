@@ -11,6 +11,7 @@
 #include "core/base/progress.h"
 #include "core/base/software.h"
 #include "core/base/table.h"
+#include "core/experiments/shard.h"
 #include "core/tracking/snapshot.h"
 
 namespace capstan::studies {
@@ -35,6 +36,7 @@ struct MotorFailureStudyOptions {
   int threads = 2;                ///< number of trials in parallel; the result does not depend on it
   std::filesystem::path out;      ///< folder of finished trials, which are not run again; empty: none
   std::string software = base::software();  ///< program that a stored trial must come from
+  experiments::PartialRun* part = nullptr;  ///< trials that are run, if not all; needs `out`
 };
 
 /// Normal error, with all encoders working, to which the error of a failed joint is compared.

@@ -3,12 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "core/base/units.h"
-#include "core/base/workers.h"
+#include "core/base/yaml.h"
+#include "core/experiments/trial_store.h"
 #include "core/live/occluded_source.h"
 #include "core/simulation/simulation_request.h"
 #include "core/stats/running_rms.h"
+#include "core/studies/kept_trials.h"
 #include "core/studies/true_radii.h"
 #include "core/tracking/arrival.h"
 #include "core/tracking/make_pipeline.h"
@@ -17,6 +20,7 @@
 namespace capstan::studies {
 namespace {
 
+using nlohmann::json;
 using tracking::FilterKind;
 using tracking::OneCamera;
 using Comparisons = std::vector<OneCameraComparison>;
@@ -50,12 +54,65 @@ Candidate candidateOf(const tracking::SourceInfo& info, const robot::Description
   return {tracking::makePipeline(believed, options), {}, {}};
 }
 
-Comparisons compare(const OneCameraStudyOptions& options, double share, base::Progress& progress) {
+simulation::SimulatedOptions simulationOf(const OneCameraStudyOptions& options) {
   simulation::SimulationRequest request;
   request.truth = options.truth;
   request.duration = options.duration;
   request.seed = options.seed;
-  const simulation::SimulatedOptions simulated = simulation::optionsOf(request);
+  return simulation::optionsOf(request);
+}
+
+json fingerprintOf(const OneCameraStudyOptions& options, double share) {
+  const simulation::SimulatedOptions simulated = simulationOf(options);
+  return {{"software", options.software},
+          {"seed", options.seed},
+          {"share", share},
+          {"blocked", static_cast<int>(options.blocked)},
+          {"duration", options.duration},
+          {"nominal robot", robot::formatDescription(simulated.robot)},
+          {"truth", simulation::formatTruth(simulated.truth)},
+          {"trajectory", base::writeYaml(simulated.trajectory)}};
+}
+
+json jsonOf(const OneCameraResult& result) {
+  return {{"all", vectorOrNull(result.all)},
+          {"blocked", vectorOrNull(result.blocked)},
+          {"nis", numberOrNull(result.nis)},
+          {"ray_nis", numberOrNull(result.ray_nis)},
+          {"ray_share", numberOrNull(result.ray_share)}};
+}
+
+OneCameraResult resultOf(const json& document) {
+  return {.all = vectorOrNan(document.at("all")),
+          .blocked = vectorOrNan(document.at("blocked")),
+          .nis = numberOrNan(document.at("nis")),
+          .ray_nis = numberOrNan(document.at("ray_nis")),
+          .ray_share = numberOrNan(document.at("ray_share"))};
+}
+
+json jsonOf(const Comparisons& comparisons) {
+  json all = json::array();
+  for (const OneCameraComparison& one : comparisons)
+    all.push_back({{"share", one.share},
+                   {"robot", one.robot},
+                   {"filter", one.filter},
+                   {"kinematic", vectorOrNull(one.kinematic)},
+                   {"hard_switch", jsonOf(one.hard_switch)},
+                   {"ray", jsonOf(one.ray)}});
+  return all;
+}
+
+OneCameraComparison comparisonOf(const json& document) {
+  return {.share = document.at("share").get<double>(),
+          .robot = document.at("robot").get<std::string>(),
+          .filter = document.at("filter").get<std::string>(),
+          .kinematic = vectorOrNan(document.at("kinematic")),
+          .hard_switch = resultOf(document.at("hard_switch")),
+          .ray = resultOf(document.at("ray"))};
+}
+
+Comparisons compare(const OneCameraStudyOptions& options, double share, base::Progress& progress) {
+  const simulation::SimulatedOptions simulated = simulationOf(options);
   simulation::SimulatedSource source(simulated);
   const tracking::SourceInfo& info = source.info();
   Comparisons all;
@@ -92,18 +149,21 @@ double shown(const Eigen::Vector3d& value, int joint) {
 }  // namespace
 
 OneCameraStudy runOneCameraStudy(const OneCameraStudyOptions& options, base::Progress& progress) {
-  std::vector<Comparisons> done(options.shares.size());
-  std::vector<base::Job> jobs;
-  for (std::size_t i = 0; i < done.size(); ++i)
-    jobs.push_back({fmt::format("{:g} %", options.shares[i]), 1.0,
-                    [&into = done[i], &options, share = options.shares[i]](base::Progress& part) {
-                      into = compare(options, share, part);
-                    }});
-  base::doAll(jobs, options.threads, {progress});
+  std::vector<KeptTrial> trials;
+  for (std::size_t i = 0; i < options.shares.size(); ++i) {
+    const double share = options.shares[i];
+    trials.push_back(
+        {fmt::format("{} {:g} % blocked", i + 1, share),
+         [&options, share] { return fingerprintOf(options, share); },
+         [&options, share](base::Progress& own) { return jsonOf(compare(options, share, own)); }});
+  }
+  KeptResults kept =
+      runKept(trials, experiments::TrialStore(options.out), options.threads, progress, options.part);
   OneCameraStudy study;
-  study.cancelled = progress.cancelled();
-  for (const Comparisons& some : done)
-    study.comparisons.insert(study.comparisons.end(), some.begin(), some.end());
+  study.notices = std::move(kept.notices);
+  study.cancelled = kept.cancelled;
+  for (const json& some : kept.results)
+    for (const json& one : some) study.comparisons.push_back(comparisonOf(one));
   return study;
 }
 

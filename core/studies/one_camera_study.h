@@ -3,11 +3,14 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "core/base/progress.h"
+#include "core/base/software.h"
 #include "core/base/table.h"
+#include "core/experiments/shard.h"
 #include "core/live/occlusion.h"
 
 namespace capstan::studies {
@@ -22,6 +25,11 @@ struct OneCameraStudyOptions {
   double duration = 200.0;        ///< [s]
   std::uint64_t seed = 401;
   int threads = 2;  ///< number of worker threads; the result does not depend on it
+  /// Folder of finished trials, which are not run again unless program, options or inputs changed; empty:
+  /// none.
+  std::filesystem::path out;
+  std::string software = base::software();  ///< program that a stored trial must come from
+  experiments::PartialRun* part = nullptr;  ///< trials that are run, if not all; needs `out`
 };
 
 /// Result of one filter on one recording. Joints in rad, rad, m.

@@ -1,18 +1,23 @@
 // diagnosis_study [--group development] [--seeds 8] [--none 80] [--two 40] [--uncovered 30] [--threads 2]
-// [--out DIR] …: plants every effect in robots, has each recording diagnosed and says how often the answer is
-// right. Cases that DIR holds already are not run again, so that an interrupted study goes on where it
-// stopped; --tables only counts what is there. Methods are developed on the group `development`, constants
-// are chosen on `choosing`; `blind` has the seeds of the program's commit, so that no one has met its cases.
+// [--out DIR] [--shard i/n] …: plants every effect in robots, has each recording diagnosed and says how often
+// the answer is right. `--shard i/n` runs one part of the cases into a folder of its own; `--from DIR…`
+// collects the cases of all parts in --out and counts them. Cases that DIR holds already are not run again,
+// so that an interrupted study goes on where it stopped; --tables only counts what is there. Methods are
+// developed on the group `development`, constants are chosen on `choosing`; `blind` has the seeds of the
+// program's commit, so that no one has met its cases.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <charconv>
 #include <cstdio>
+#include <deque>
 
 #include "core/base/checksum.h"
 #include "core/base/error.h"
 #include "core/base/software.h"
 #include "core/diagnosis/diagnose.h"
+#include "core/experiments/shard.h"
 #include "tests/support/planted_study/run_study.h"
 #include "tests/support/planted_study/study_tables.h"
 
@@ -26,6 +31,8 @@ struct Wanted {
   study::StudyOptions cases;
   int threads = 2;
   std::string out = "diagnosis_study", robot = "all", group = "development";
+  std::string shard;
+  std::vector<std::string> from;
   bool tables = false, rigid = false;
 };
 
@@ -82,14 +89,52 @@ void tell(const study::Step& step) {
                outcome.answer.seconds, step.seconds_left / 60.0);
 }
 
+/// Cases of the shard "i/n"; empty: all.
+std::vector<study::StudyCase> shardOf(const std::vector<study::StudyCase>& cases, const std::string& shard) {
+  if (shard.empty()) return cases;
+  const experiments::Shard part = experiments::parseShard(shard);
+  std::vector<study::StudyCase> own;
+  for (std::size_t k = 0; k < cases.size(); ++k)
+    if (part.owns(k)) own.push_back(cases[k]);
+  return own;
+}
+
+/// Adds to `file` the outcomes of this program in the files of `folders`. Throws base::InputError when a case
+/// is in none of them.
+void collect(const std::vector<study::StudyCase>& cases, const std::vector<std::string>& folders,
+             study::OutcomeFile& file) {
+  std::deque<study::OutcomeFile> parts;
+  for (const std::string& folder : folders)
+    parts.emplace_back(std::filesystem::path(folder) / "cases.jsonl", program());
+  for (const study::StudyCase& one : cases) {
+    std::optional<study::CaseOutcome> outcome = file.find(one);
+    if (outcome) continue;
+    for (const study::OutcomeFile& part : parts)
+      if (!outcome) outcome = part.find(one);
+    if (!outcome)
+      throw base::InputError({{},
+                              0,
+                              "from",
+                              fmt::format("{}", fmt::join(folders, " ")),
+                              fmt::format("case {} of {} is in none of them", one.name(), program()),
+                              "Run all shards with this program and the same options, and name all folders"});
+    file.keep(*outcome);
+  }
+}
+
 void run(const Wanted& wanted) {
   const std::filesystem::path folder = wanted.out;
   std::vector<study::StudyCase> cases = study::casesOf(wanted.cases);
   if (wanted.rigid)
     std::erase_if(cases, [](const study::StudyCase& one) { return one.robot != study::Robot::kJoints; });
+  cases = shardOf(cases, wanted.shard);
   study::OutcomeFile file(folder / "cases.jsonl", program());
   for (const std::string& notice : file.notices()) std::fprintf(stderr, "%s\n", notice.c_str());
-  if (!wanted.tables) study::runStudy(cases, diagnosed, wanted.threads, file, tell);
+  if (!wanted.from.empty())
+    collect(cases, wanted.from, file);
+  else if (!wanted.tables)
+    study::runStudy(cases, diagnosed, wanted.threads, file, tell);
+  if (!wanted.shard.empty()) return;
   std::vector<study::CaseOutcome> outcomes;
   for (const study::StudyCase& one : cases)
     if (auto outcome = file.find(one, wanted.tables)) outcomes.push_back(std::move(*outcome));
@@ -110,6 +155,11 @@ void addOptions(CLI::App& app, Wanted& wanted) {
                  "another one: another study; not in the group blind");
   app.add_option("--threads", wanted.threads)->check(CLI::Range(1, 256));
   app.add_option("--out", wanted.out, "folder of cases.jsonl and the tables");
+  CLI::Option* shard =
+      app.add_option("--shard", wanted.shard, "part i of n of the cases: i/n, for example 2/8");
+  app.add_option("--from", wanted.from, "folders of all shards: collects their cases and runs none")
+      ->check(CLI::ExistingDirectory)
+      ->excludes(shard);
   app.add_option("--only", wanted.cases.only, "effects, or none, two, uncovered");
   app.add_option("--robot", wanted.robot, "raven, arm, axis; all: mixed")
       ->check(CLI::IsMember({"raven", "arm", "axis", "all"}));
