@@ -14,7 +14,7 @@ namespace capstan::testing {
 struct MutationCounts {
   std::uint64_t streams = 0;
   std::uint64_t refused = 0;   ///< by the motor side, which counts them and names the fault
-  std::uint64_t answered = 0;  ///< of them, the sender was told
+  std::uint64_t answered = 0;  ///< of them, the sender got the reason
   std::uint64_t rows = 0;      ///< that were taken as rows of a robot
   std::uint64_t steps = 0;     ///< of the clock
 };

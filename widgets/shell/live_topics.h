@@ -27,7 +27,7 @@ class LiveTopics : public QObject {
   QLabel* label() const { return label_; }
   /// Begins or ends to ask.
   void setOn(bool on);
-  /// Adds the topics that are known, to lists that were filled anew.
+  /// Adds the topics that are known, to lists that were filled again.
   void refill();
 
  private:
