@@ -24,14 +24,20 @@ std::unique_ptr<live::MonitorFeed> makeMonitorFeed(const std::string& name) {
   return name.empty() ? nullptr : std::make_unique<live::MonitorFeed>(name);
 }
 
-void addPublish(CLI::App& command, std::string& name_space) {
-  command.add_option("--publish", name_space,
-                     "ROS namespace to publish the estimates in, as in /capstan: measured_js, measured_cp,\n"
-                     "measured_cp_covariance, marker");
+void addPublish(CLI::App& command, std::vector<std::string>& to) {
+  command
+      .add_option("--publish", to,
+                  "ROS namespace to publish the estimates in, as in /capstan: measured_js, measured_cp,\n"
+                  "measured_cp_covariance, marker; or igtl://ADDRESS:PORT to listen on, for OpenIGTLink (3D\n"
+                  "Slicer): transforms TipToBase, CameraToBase; repeatable")
+      ->allow_extra_args(false);
 }
 
-std::unique_ptr<live::EstimateTopics> makeEstimateTopics(const std::string& name_space) {
-  return name_space.empty() ? nullptr : std::make_unique<live::EstimateTopics>(name_space);
+std::unique_ptr<live::EstimateOutputs> makeEstimateOutputs(const std::vector<std::string>& to) {
+  if (to.empty()) return nullptr;
+  auto outputs = std::make_unique<live::EstimateOutputs>(to, "--publish");
+  for (const std::string& address : outputs->addresses()) notice("transforms go to " + address);
+  return outputs;
 }
 
 std::unique_ptr<live::LiveSource> openLive(const std::string& text, const std::string& robot,
@@ -80,6 +86,7 @@ nlohmann::json jsonOf(const std::vector<tracking::SideStatus>& sides) {
                    {"unpaired", side.unpaired},
                    {"frozen", side.frozen},
                    {"connections", side.connections},
+                   {"refused", side.refused},
                    {"latency", std::move(latency)},
                    {"clock", std::move(clock)}});
   }

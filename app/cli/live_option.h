@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-#include "core/live/estimate_topics.h"
+#include "core/live/estimate_output.h"
 #include "core/live/live_source.h"
 #include "core/live/monitor_feed.h"
 
@@ -21,9 +21,10 @@ void addMonitorFeed(CLI::App& command, std::string& name);
 /// Feed of that name; null: `name` is empty. Throws base::InputError (live::MonitorFeed).
 std::unique_ptr<live::MonitorFeed> makeMonitorFeed(const std::string& name);
 /// Declares --publish on `command`.
-void addPublish(CLI::App& command, std::string& name_space);
-/// Topics below that namespace; null: it is empty. Throws base::InputError (live::EstimateTopics).
-std::unique_ptr<live::EstimateTopics> makeEstimateTopics(const std::string& name_space);
+void addPublish(CLI::App& command, std::vector<std::string>& to);
+/// Outputs that --publish names, and says where they listen; null: none. Throws base::InputError
+/// (live::EstimateOutputs).
+std::unique_ptr<live::EstimateOutputs> makeEstimateOutputs(const std::vector<std::string>& to);
 /// Opens the robot that --live names and says where it listens. `duration` [s] after the first sample the
 /// source ends; 0: never. Throws base::InputError as
 /// live::liveSetupOf() and live::LiveSource.

@@ -35,7 +35,7 @@ struct ImagePlay {
 
 live::PlayOptions optionsOf(const std::vector<std::string>& faults, unsigned seed, const std::string& option,
                             live::PlayFault (*parse)(const std::string&, const std::string&)) {
-  live::PlayOptions options{.faults = {}, .seed = seed};
+  live::PlayOptions options{.faults = {}, .seed = seed, .keep_on = false};
   for (const std::string& text : faults) options.faults.push_back(parse(text, option));
   return options;
 }
@@ -109,7 +109,11 @@ Played playBoth(const PlayArguments& arguments, const std::optional<RowPlay>& ro
   Played played;
   played.started = clock.started;
   try {
-    if (rows) played.rows = live::playRows(table, rows->to, clock, rows->options, &progress);
+    if (rows) {
+      live::PlayOptions options = rows->options;
+      options.keep_on = images.has_value();
+      played.rows = live::playRows(table, rows->to, clock, options, &progress);
+    }
   } catch (...) {
     progress.cancel();  // the images end, too
     throw;
@@ -152,12 +156,15 @@ Played playRos(const PlayArguments& arguments, RecordingFormat format, const Row
 void say(const PlayArguments& arguments, const Output& output, std::size_t rows, const Played& played) {
   nlohmann::json json;
   if (const auto& report = played.rows) {
-    output.text(fmt::format("{} of {} rows sent to {} in {:.2f} s; {} withheld by faults; {} connection{}\n",
-                            report->sent, rows, arguments.to, report->seconds, report->withheld,
-                            report->connections, report->connections == 1 ? "" : "s"));
+    output.text(fmt::format(
+        "{} of {} rows sent to {} in {:.2f} s; {} withheld by faults; {} lost while nobody listened; {} "
+        "connection{}\n",
+        report->sent, rows, arguments.to, report->seconds, report->withheld, report->lost,
+        report->connections, report->connections == 1 ? "" : "s"));
     json = {{"rows", rows},
             {"sent", report->sent},
             {"withheld", report->withheld},
+            {"lost", report->lost},
             {"connections", report->connections},
             {"answer", report->answer.empty() ? nlohmann::json() : nlohmann::json(report->answer)}};
     if (!report->answer.empty()) notice("the receiver answered: " + report->answer);
@@ -207,7 +214,8 @@ void addPlay(CLI::App& app, ExitCode& exit) {
                       "receiver of the rows, as in tcp://127.0.0.1:5555; it must listen already;\n"
                       "ros: topics of a ROS 1 system, with the images");
   command->add_option("--video", arguments->video,
-                      "serve the images of a session (Motion JPEG), as in http://127.0.0.1:8081");
+                      "serve the images of a session (Motion JPEG), as in http://127.0.0.1:8081; they go on\n"
+                      "while nobody takes the rows, which are tried again every 0.5 s");
   command
       ->add_option("--speed", arguments->speed,
                    "recording time per wall time; 0: as fast as the receiver takes")

@@ -18,7 +18,8 @@ namespace capstan::cli {
 namespace {
 
 struct RecordArguments {
-  std::string live, out, robot, read_as, monitor_feed, publish, json;
+  std::string live, out, robot, read_as, monitor_feed, json;
+  std::vector<std::string> publish;
   double duration = 0.0;
 };
 
@@ -38,15 +39,15 @@ ExitCode record(const RecordArguments& arguments) {
     refuseOption("--out", arguments.out, "does not end in .capstan", "Give a name with .capstan");
   const Output output(arguments.json);
   const std::unique_ptr<live::MonitorFeed> feed = makeMonitorFeed(arguments.monitor_feed);
-  const std::unique_ptr<live::EstimateTopics> topics = makeEstimateTopics(arguments.publish);
+  const std::unique_ptr<live::EstimateOutputs> outputs = makeEstimateOutputs(arguments.publish);
   std::unique_ptr<tracking::Source> source =
       openLive(arguments.live, arguments.robot, arguments.read_as, arguments.duration);
   const tracking::SourceInfo info = source->info();
   tracking::TrackingPipeline pipeline = tracking::makePipeline(info, tracking::trackingOptionsOf(info));
   auto runner = std::make_unique<live::Runner>(std::move(source), std::move(pipeline));
-  if (feed || topics)
+  if (feed || outputs)
     runner->listen(live::both(feed ? feed->begin(info) : live::Listener{},
-                              topics ? topics->begin(info) : live::Listener{}));
+                              outputs ? outputs->begin(info) : live::Listener{}));
   runner->startRecording(arguments.out, recording::headerOf(info, isoNow()));
   base::Progress progress;
   {

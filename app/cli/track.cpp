@@ -31,10 +31,10 @@ namespace {
 struct TrackArguments {
   std::string file, live, out_format = "auto", format = "auto", robot, estimator_robot, options,
                           registration = "stored", mounting, out, save_registration, read_as, topics,
-                          monitor_feed, publish, json;
+                          monitor_feed, json;
   bool simulate = false, whole_frame = false;
   double occlude = 0.0;
-  std::vector<std::string> fail_motor;
+  std::vector<std::string> fail_motor, publish;
   std::vector<int> failed_motors;
   simulation::SimulationRequest simulation;
 };
@@ -182,9 +182,9 @@ ExitCode track(TrackArguments& arguments, const CLI::App& command) {
     study.emplace(*simulated, occlusion);
 
   const std::unique_ptr<live::MonitorFeed> feed = makeMonitorFeed(arguments.monitor_feed);
-  const std::unique_ptr<live::EstimateTopics> topics = makeEstimateTopics(arguments.publish);
+  const std::unique_ptr<live::EstimateOutputs> outputs = makeEstimateOutputs(arguments.publish);
   const live::Listener listener = live::both(feed ? feed->begin(info) : live::Listener{},
-                                             topics ? topics->begin(info) : live::Listener{});
+                                             outputs ? outputs->begin(info) : live::Listener{});
   if (listener) listener.begin(pipeline);
 
   base::Progress progress;

@@ -55,8 +55,11 @@ void addOptions(CLI::App& cli, Arguments& arguments) {
       "--monitor-feed", arguments.monitor_feed,
       "name under which stereo monitors show the sessions from the start: capstan-monitor --feed NAME");
   cli.add_option(
-      "--publish", arguments.publish,
-      "ROS namespace to publish the estimates in, as in /capstan: measured_js, measured_cp, marker");
+         "--publish", arguments.publish,
+         "ROS namespace to publish the estimates in, as in /capstan: measured_js, measured_cp, marker; "
+         "or igtl://ADDRESS:PORT to listen on, for OpenIGTLink (3D Slicer): transforms TipToBase, "
+         "CameraToBase; repeatable")
+      ->allow_extra_args(false);
   cli.add_option("--theme", arguments.theme, "dark or light; default: the one chosen last")
       ->check(CLI::IsMember({"dark", "light"}));
   cli.add_option("--size", arguments.size, "width x height of the window [px]")->capture_default_str();

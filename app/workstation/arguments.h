@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <QSize>
 #include <string>
+#include <vector>
 
 #include "widgets/shell/source_choice.h"
 
@@ -10,8 +11,8 @@ namespace capstan::workstation {
 
 /// Arguments of the window's command line.
 struct Arguments {
-  std::string file, live, robot, monitor_feed, publish, theme, image, size = "1920x1080", state = "running",
-                                                                      show;
+  std::vector<std::string> publish;
+  std::string file, live, robot, monitor_feed, theme, image, size = "1920x1080", state = "running", show;
   simulation::SimulationRequest simulation;
   bool simulate = false;  ///< --simulate, or implied by an option of the simulation
   double after = 12.0;    ///< time until the picture is saved [s]

@@ -80,7 +80,7 @@ struct TrialResult : TrialMotion {
   bool own_kinematics = false;  ///< true: the reference is the robot's own kinematics, not joint encoders
   bool reference = false;       ///< true: joint encoders gave a reference, so there are errors
   std::uint64_t motor_samples = 0, camera_samples = 0;
-  std::array<std::uint64_t, 8> gates{};  ///< number of camera samples by tracking::Gate
+  std::array<std::uint64_t, 8> gates{};  ///< number of camera samples by tracking::Gate, to kUnregistered
   std::array<Eigen::Vector3d, kEstimators> rms = {
       noJoints(), noJoints(), noJoints(), noJoints()};  ///< RMS over all samples, not the thinned series
   std::array<std::uint64_t, kEstimators> counts{};      ///< number of samples of each RMS

@@ -3,7 +3,7 @@
 #include <memory>
 #include <string>
 
-#include "core/live/runner.h"
+#include "core/live/estimate_output.h"
 
 namespace capstan::live {
 
@@ -16,14 +16,13 @@ namespace capstan::live {
 ///     marker                  geometry_msgs/PointStamped: tip as the cameras see it, frame 0, at its
 ///     exposure
 /// Stamps are the ROS time of the first sample's arrival plus the session's time since then.
-class EstimateTopics {
+class EstimateTopics final : public EstimateOutput {
  public:
   /// Throws base::InputError for a name that is no namespace, and where this program was built without ROS.
   explicit EstimateTopics(std::string name_space);
-  ~EstimateTopics();
+  ~EstimateTopics() override;
 
-  /// Listener for a session with these facts.
-  Listener begin(const tracking::SourceInfo& info);
+  Listener begin(const tracking::SourceInfo& info) override;
 
   static constexpr double kMostRate = 1000.0;  ///< [1/s]
 

@@ -54,14 +54,22 @@ bool isFifo(const std::string& path) { return std::filesystem::is_fifo(path); }
 LiveSetup readLiveSetup(const std::filesystem::path& path) {
   auto setup = base::readYamlFile<LiveSetup>(path);
   base::namingFile(path.string(), [&] { check(setup, path.string()); });
+  return resolvedFrom(std::move(setup), path.parent_path());
+}
+
+LiveSetup resolvedFrom(LiveSetup setup, const std::filesystem::path& folder) {
   const auto beside = [&](std::string& file) {
-    if (!file.empty()) file = (path.parent_path() / file).string();
+    if (!file.empty()) file = (folder / file).string();
   };
   beside(setup.robot);
   if (!setup.cameras) return setup;
-  if (setup.cameras->calibration != kRosCalibration) beside(setup.cameras->calibration);
-  beside(setup.cameras->registration);
-  beside(setup.cameras->marker);
+  CamerasSetup& cameras = *setup.cameras;
+  if (cameras.calibration != kRosCalibration) beside(cameras.calibration);
+  beside(cameras.registration);
+  beside(cameras.marker);
+  // A video file, and no address or device, if it is there.
+  for (std::string* stream : {&cameras.left, &cameras.right})
+    if (std::filesystem::is_regular_file(folder / *stream)) beside(*stream);
   return setup;
 }
 

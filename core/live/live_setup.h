@@ -102,8 +102,11 @@ struct LiveSetup {
   bool operator==(const LiveSetup&) const = default;
 };
 
-/// Reads a live set-up; relative paths in it become paths from its folder. Throws base::InputError with file,
-/// line, field, value and range.
+/// The set-up with relative paths of files as paths from `folder`. A path of a video file stays if there is
+/// no such file in the folder.
+LiveSetup resolvedFrom(LiveSetup setup, const std::filesystem::path& folder);
+/// Reads a live set-up; relative paths in it become paths from its folder (resolvedFrom()). Throws
+/// base::InputError with file, line, field, value and range.
 LiveSetup readLiveSetup(const std::filesystem::path& path);
 /// Writes a set-up with every field, its unit and its meaning. Throws base::InputError for a set-up that
 /// readLiveSetup() would refuse, and where the file cannot be written.

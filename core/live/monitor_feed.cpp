@@ -31,6 +31,7 @@ FeedTracking trackingOf(tracking::Gate gate) {
       return FeedTracking::kUnregistered;
     case Gate::kUnreachable:
     case Gate::kJump:
+    case Gate::kExchanged:
       return FeedTracking::kRejected;
     default:
       return FeedTracking::kOccluded;

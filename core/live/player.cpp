@@ -22,28 +22,39 @@ class Connection {
       : to_(to), header_(std::move(header)), report_(report), sender_(std::make_unique<TcpSender>(to)) {
     sender_->send(header_);
   }
-  /// False: nobody listens any more.
+  /// False: nobody listens now.
   bool send(const std::string& bytes) {
-    if (sender_->send(bytes)) return true;
+    if (sender_ && sender_->send(bytes)) return true;
     noteAnswer();
-    try {
-      sender_ = std::make_unique<TcpSender>(to_);
-    } catch (const base::InputError&) {
-      report_.refused = true;
-      return false;
-    }
-    ++report_.connections;
-    return sender_->send(header_) && sender_->send(bytes);
+    return connect() && sender_->send(header_) && sender_->send(bytes);
   }
   void noteAnswer() {
+    if (!sender_) return;
     if (std::string answer = sender_->answer(); !answer.empty()) report_.answer = std::move(answer);
   }
 
  private:
+  bool connect() {
+    constexpr std::chrono::milliseconds kPause{500};  // between two attempts
+    if (Clock::now() < next_) return false;
+    try {
+      sender_ = std::make_unique<TcpSender>(to_);
+    } catch (const base::InputError&) {
+      sender_.reset();
+      report_.refused = true;
+      next_ = Clock::now() + kPause;
+      return false;
+    }
+    report_.refused = false;
+    ++report_.connections;
+    return true;
+  }
+
   const Address to_;
   const std::string header_;
   PlayReport& report_;
   std::unique_ptr<TcpSender> sender_;
+  Clock::time_point next_;  ///< attempt
 };
 
 }  // namespace
@@ -71,7 +82,11 @@ PlayReport playRows(const recording::MeasuredTable& table, const Address& to, co
     clock.waitUntil(played->due);
     stamped.t[played->row] = played->stamp;
     const std::string line = recording::formatMeasuredRow(stamped, played->row);
-    if (!connection.send((played->garbage ? kGarbage : "") + line + (played->twice ? line : ""))) break;
+    if (!connection.send((played->garbage ? kGarbage : "") + line + (played->twice ? line : ""))) {
+      if (!options.keep_on) break;
+      ++report.lost;
+      continue;
+    }
     ++report.sent;
     if (progress && k % 256 == 0) progress->report((table.t[k] - clock.begin) / duration, "playing");
   }

@@ -27,18 +27,21 @@ struct PlayClock {
 struct PlayOptions {
   std::vector<PlayFault> faults;
   unsigned seed = 1;
+  /// Goes on where nobody listens any more, as the images do: the rows until somebody listens again are lost.
+  bool keep_on = false;
 };
 
 struct PlayReport {
   std::uint64_t sent = 0, withheld = 0;  ///< rows
+  std::uint64_t lost = 0;                ///< rows that were due while nobody listened (PlayOptions::keep_on)
   std::uint64_t connections = 1;
   double seconds = 0.0;  ///< of sending
   std::string answer;    ///< last answer of the receiver; empty: none
-  bool refused = false;  ///< the receiver has disconnected, and could not be reached again
+  bool refused = false;  ///< the receiver had disconnected, and could not be reached again, at the end
 };
 
 /// Sends the rows of a recording to the program that listens at `to`, in real time, as a robot would. After a
-/// disconnection it connects again and sends the header line again. Throws base::InputError where nothing
+/// disconnection it connects again, and sends the header line again. Throws base::InputError where nothing
 /// listens.
 PlayReport playRows(const recording::MeasuredTable& table, const Address& to, const PlayClock& clock,
                     const PlayOptions& options, base::Progress* progress);

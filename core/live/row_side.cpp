@@ -63,6 +63,7 @@ void RowSide::readOnce() {
   const ReadState state = input_->read(kWait);
   try {
     if (state == ReadState::kOpened) {
+      times_.reconnect();
       const std::lock_guard lock(mutex_);
       ++status_.connections;
       status_.state = State::kWaiting;
@@ -92,7 +93,11 @@ void RowSide::pass(recording::MeasuredTable table) {
     }
     recording::keepRows(table, keep);
   }
-  if (table.rows() == 0) return;
+  if (table.rows() == 0) {
+    const std::lock_guard lock(mutex_);
+    status_.repeated = times_.repeated();
+    return;
+  }
   std::uint64_t dropped = 0;
   if (!first_known_) {
     first_known_ = true;
@@ -108,7 +113,6 @@ void RowSide::pass(recording::MeasuredTable table) {
   const std::lock_guard lock(mutex_);
   for (const double t : table.t) clock_.add(t, arrival), gaps_.add(t);
   status_.state = State::kReceiving;
-  status_.fault.clear();
   status_.received += table.rows();
   status_.dropped += dropped;
   status_.repeated = times_.repeated();
@@ -124,6 +128,7 @@ void RowSide::refuse(const std::string& reason) {
   input_->refuse(reason);
   const std::lock_guard lock(mutex_);
   status_.state = State::kRefused;
+  ++status_.refused;
   status_.fault = reason;
 }
 

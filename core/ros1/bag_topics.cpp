@@ -12,6 +12,13 @@
 #include "core/ros1/raven_state.h"
 
 namespace capstan::ros1 {
+
+bool carriesMotors(const std::string& type) { return type == "sensor_msgs/JointState" || isRavenState(type); }
+
+bool carriesImages(const std::string& type) {
+  return type == "sensor_msgs/Image" || type == "sensor_msgs/CompressedImage";
+}
+
 namespace {
 
 constexpr const char* kOption = "--topics";
@@ -26,19 +33,15 @@ struct Role {
 };
 
 bool isJointState(const std::string& type) { return type == "sensor_msgs/JointState"; }
-bool isMotors(const std::string& type) { return isJointState(type) || isRavenState(type); }
-bool isImage(const std::string& type) {
-  return type == "sensor_msgs/Image" || type == "sensor_msgs/CompressedImage";
-}
 bool isInfo(const std::string& type) { return type == "sensor_msgs/CameraInfo"; }
 bool isPoint(const std::string& type) { return type == "geometry_msgs/PointStamped"; }
 
 const std::array kRoles = {
-    Role{"motors", &BagTopics::motors, isMotors, "sensor_msgs/JointState or raven_state"},
+    Role{"motors", &BagTopics::motors, carriesMotors, "sensor_msgs/JointState or raven_state"},
     Role{"joints", &BagTopics::joints, isJointState, "sensor_msgs/JointState"},
     Role{"encoders", &BagTopics::encoders, isJointState, "sensor_msgs/JointState"},
-    Role{"left", &BagTopics::left, isImage, "sensor_msgs/Image or sensor_msgs/CompressedImage"},
-    Role{"right", &BagTopics::right, isImage, "sensor_msgs/Image or sensor_msgs/CompressedImage"},
+    Role{"left", &BagTopics::left, carriesImages, "sensor_msgs/Image or sensor_msgs/CompressedImage"},
+    Role{"right", &BagTopics::right, carriesImages, "sensor_msgs/Image or sensor_msgs/CompressedImage"},
     Role{"left_info", &BagTopics::left_info, isInfo, "sensor_msgs/CameraInfo"},
     Role{"right_info", &BagTopics::right_info, isInfo, "sensor_msgs/CameraInfo"},
     Role{"tip", &BagTopics::tip, isPoint, "geometry_msgs/PointStamped"}};
@@ -78,7 +81,7 @@ void findMotors(BagTopics& topics, const std::vector<TopicType>& present) {
       topics.motors = candidates->front();
       return;
     }
-  const auto all = topicsOf(present, [](const TopicType& one) { return isMotors(one.type); });
+  const auto all = topicsOf(present, [](const TopicType& one) { return carriesMotors(one.type); });
   if (all.empty()) {
     std::vector<std::string> words;
     for (const TopicType& one : present) words.push_back(one.topic + " (" + one.type + ")");
@@ -105,7 +108,7 @@ void findJoints(BagTopics& topics, const std::vector<TopicType>& present) {
 void findImage(std::string& topic, const char* word, const std::vector<TopicType>& present) {
   if (!topic.empty()) return;
   const auto images = topicsOf(present, [&](const TopicType& one) {
-    return isImage(one.type) && one.topic.find(word) != std::string::npos;
+    return carriesImages(one.type) && one.topic.find(word) != std::string::npos;
   });
   const auto raw = topicsOf(present, [&](const TopicType& one) {
     return one.type == "sensor_msgs/Image" && one.topic.find(word) != std::string::npos;

@@ -19,6 +19,11 @@ struct BagTopics {
   bool operator==(const BagTopics&) const = default;
 };
 
+/// Whether topics of this type carry motor positions: sensor_msgs/JointState, or a RAVEN-II's raven_state.
+bool carriesMotors(const std::string& type);
+/// Whether they carry images: sensor_msgs/Image, CompressedImage.
+bool carriesImages(const std::string& type);
+
 /// Names that export and replay give to topics.
 BagTopics ourTopics();
 inline constexpr const char* kSessionTopic = "/capstan/session";  ///< std_msgs/String: SessionText

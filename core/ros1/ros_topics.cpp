@@ -180,17 +180,6 @@ std::string masterAddress() {
   return ros::master::getURI();
 }
 
-std::vector<TopicType> publishedTopics() {
-  std::vector<TopicType> topics;
-  if (!isMasterThere()) return topics;
-  ros::master::V_TopicInfo found;
-  if (!ros::master::getTopics(found)) return topics;
-  for (const ros::master::TopicInfo& one : found) topics.push_back({one.name, one.datatype});
-  std::sort(topics.begin(), topics.end(),
-            [](const TopicType& a, const TopicType& b) { return a.topic < b.topic; });
-  return topics;
-}
-
 std::int64_t rosTimeNow() {
   const ros::WallTime now = ros::WallTime::now();
   return static_cast<std::int64_t>(now.sec) * 1000000000 + now.nsec;

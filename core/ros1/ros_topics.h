@@ -62,8 +62,6 @@ class TopicWriter {
 bool isMasterThere();
 /// Address of the master, as "http://127.0.0.1:11311".
 std::string masterAddress();
-/// Topics that somebody publishes, in order of their names; none if no master answers.
-std::vector<TopicType> publishedTopics();
 /// ROS time now [ns].
 std::int64_t rosTimeNow();
 

@@ -47,7 +47,6 @@ std::uint32_t TopicWriter::subscribers() const { return 0; }
 
 bool isMasterThere() { return false; }
 std::string masterAddress() { return {}; }
-std::vector<TopicType> publishedTopics() { return {}; }
 std::int64_t rosTimeNow() { return 0; }
 
 }  // namespace capstan::ros1

@@ -98,13 +98,18 @@ void addDetection(const TrackReport& report, const HealthLimits& limits, Checks&
 void addRefused(const TrackReport& report, const HealthLimits& limits, Checks& checks) {
   if (report.camera_samples == 0) return;
   const std::uint64_t refused = report.gates[static_cast<std::size_t>(Gate::kJump)] +
-                                report.gates[static_cast<std::size_t>(Gate::kUnreachable)];
+                                report.gates[static_cast<std::size_t>(Gate::kUnreachable)] +
+                                report.gates[static_cast<std::size_t>(Gate::kExchanged)];
   const double part = share(refused, report.camera_samples);
-  add(checks, {"refused", "refused camera samples", judge(part, limits.refused, limits.refused_fail),
-               fmt::format("{:.2f} % ({})", 100.0 * part, refused),
-               fmt::format("at most {:.0f} %", 100.0 * limits.refused),
-               "The gate refuses tips that jump or that the arm cannot reach. Look for other objects of the "
-               "marker's colour, and at jump_tolerance."});
+  add(checks,
+      {"refused", "refused camera samples", judge(part, limits.refused, limits.refused_fail),
+       fmt::format("{:.2f} % ({})", 100.0 * part, refused),
+       fmt::format("at most {:.0f} %", 100.0 * limits.refused),
+       report.gates[static_cast<std::size_t>(Gate::kExchanged)] > refused / 2
+           ? "Left and right camera are exchanged: exchange their plugs, or left and right in the "
+             "live set-up."
+           : "The gate refuses tips that jump or that the arm cannot reach. Look for other objects of "
+             "the marker's colour, and at jump_tolerance."});
 }
 
 void addLatency(const TrackReport& report, double memory, const HealthLimits& limits, Checks& checks) {

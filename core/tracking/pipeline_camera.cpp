@@ -12,6 +12,7 @@ using estimation::Lower;
 constexpr double kReferenceHold =
     2.5e-3;                        // [s], how long the newest reference stands for what comes after it
 constexpr double kAlongRay = 0.3;  // [m], much more than the filter's own standard deviation
+constexpr double kKinematicsReach = 0.05;  // [m], more than transmission kinematics err at a wrong radius
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
@@ -27,7 +28,7 @@ void TrackingPipeline::Impl::take(const StereoFrame& frame) {
   if ((snapshot_.gate = stereo_->gate()) == Gate::kOpen) {
     const vision::Triangulation tip = stereo_->triangulate();
     if (!tip.found() || std::abs(tip.epipolar_residual) > options_.epipolar_limit) {
-      snapshot_.gate = Gate::kJump;
+      snapshot_.gate = areExchanged(tip) ? Gate::kExchanged : Gate::kJump;
     } else {
       snapshot_.tip_in_camera = tip.position;
       snapshot_.tip_in_camera_covariance = tip.covariance;
@@ -42,6 +43,17 @@ void TrackingPipeline::Impl::take(const StereoFrame& frame) {
     observeRay(stereo_->ray(side), *base_from_camera_);
   }
   endCamera();
+}
+
+/// Exchanged images have a negative disparity: their rays meet behind the cameras, while those of the images
+/// put back meet where the motors say that the tip is.
+bool TrackingPipeline::Impl::areExchanged(const vision::Triangulation& tip) const {
+  if (tip.fault != vision::TriangulationFault::kBehindCamera) return false;
+  const vision::Triangulation back = stereo_->triangulateExchanged();
+  if (!back.found() || std::abs(back.epipolar_residual) > options_.epipolar_limit) return false;
+  if (!base_from_camera_ || !snapshot_.tip_kin_cam.allFinite()) return true;
+  const Vector3d expected = base_from_camera_->inverse() * cameras_.measured(snapshot_.tip_kin_cam);
+  return (back.position - expected).norm() < kKinematicsReach;
 }
 
 void TrackingPipeline::Impl::take(const TipSample& sample) {

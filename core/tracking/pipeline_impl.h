@@ -124,6 +124,7 @@ class TrackingPipeline::Impl {
   void take(const TipSample& sample);
   double exposureOf(double stamp) const;
   void beginCamera(double t, double t_arrival, bool images);
+  bool areExchanged(const vision::Triangulation& tip) const;
   void observeImagedTip(const vision::Triangulation& found, const Eigen::Isometry3d& base_from_camera);
   /// Observes the ray of one camera while the other does not see the marker. Nothing without all motors.
   void observeRay(const vision::CameraRay& ray, const Eigen::Isometry3d& base_from_camera);

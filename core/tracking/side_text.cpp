@@ -53,6 +53,7 @@ std::string textOf(const SideStatus& side) {
                         1e3 * side.latency->p99);
   if (side.unpaired + side.frozen > 0)
     text += fmt::format("; {} unpaired, {} frozen", side.unpaired, side.frozen);
+  if (side.refused > 0) text += fmt::format("; {} refused", side.refused);
   if (!side.fault.empty()) text += "; last fault: " + side.fault;
   return text;
 }

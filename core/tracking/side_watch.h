@@ -18,7 +18,7 @@ class SideWatch {
   struct Seen {
     SideStatus::State state = SideStatus::State::kWaiting;
     std::string part;
-    std::uint64_t steps = 0, received = 0;
+    std::uint64_t steps = 0, received = 0, refused = 0;
     double silent_for = 0.0;  ///< longest time in the present silence [s]
   };
   std::vector<Seen> seen_;

@@ -14,7 +14,18 @@ namespace capstan::tracking {
 
 /// Reason why the filter observes transmission kinematics instead of the camera (UKF paper, section V-D);
 /// kOpen: it observes the camera.
-enum class Gate { kOpen, kNoCamera, kLeftLost, kRightLost, kBothLost, kUnreachable, kJump, kUnregistered };
+/// kExchanged: the left image is the right camera's, and the other way round.
+enum class Gate {
+  kOpen,
+  kNoCamera,
+  kLeftLost,
+  kRightLost,
+  kBothLost,
+  kUnreachable,
+  kJump,
+  kUnregistered,
+  kExchanged
+};
 
 /// Reason why a motor's encoder is not used; its joint is then estimated without it.
 enum class MotorFault { kNone, kLost, kFrozen, kDeclared };
@@ -100,11 +111,15 @@ struct capstan::base::NamesOf<capstan::tracking::MotorFault> {
 template <>
 struct capstan::base::NamesOf<capstan::tracking::Gate> {
   using G = capstan::tracking::Gate;
-  static constexpr std::array value = {
-      std::pair{G::kOpen, "camera"},        std::pair{G::kNoCamera, "no camera"},
-      std::pair{G::kLeftLost, "left lost"}, std::pair{G::kRightLost, "right lost"},
-      std::pair{G::kBothLost, "both lost"}, std::pair{G::kUnreachable, "tip out of reach"},
-      std::pair{G::kJump, "marker jumped"}, std::pair{G::kUnregistered, "not registered"}};
+  static constexpr std::array value = {std::pair{G::kOpen, "camera"},
+                                       std::pair{G::kNoCamera, "no camera"},
+                                       std::pair{G::kLeftLost, "left lost"},
+                                       std::pair{G::kRightLost, "right lost"},
+                                       std::pair{G::kBothLost, "both lost"},
+                                       std::pair{G::kUnreachable, "tip out of reach"},
+                                       std::pair{G::kJump, "marker jumped"},
+                                       std::pair{G::kUnregistered, "not registered"},
+                                       std::pair{G::kExchanged, "left and right camera exchanged"}};
 };
 
 namespace capstan::tracking {
@@ -133,9 +148,13 @@ inline bool markerLost(const Snapshot& s) {
 template <>
 struct capstan::base::KeysOf<capstan::tracking::Gate> {
   using G = capstan::tracking::Gate;
-  static constexpr std::array value = {
-      std::pair{G::kOpen, "camera"},        std::pair{G::kNoCamera, "no_camera"},
-      std::pair{G::kLeftLost, "left_lost"}, std::pair{G::kRightLost, "right_lost"},
-      std::pair{G::kBothLost, "both_lost"}, std::pair{G::kUnreachable, "out_of_reach"},
-      std::pair{G::kJump, "marker_jumped"}, std::pair{G::kUnregistered, "not_registered"}};
+  static constexpr std::array value = {std::pair{G::kOpen, "camera"},
+                                       std::pair{G::kNoCamera, "no_camera"},
+                                       std::pair{G::kLeftLost, "left_lost"},
+                                       std::pair{G::kRightLost, "right_lost"},
+                                       std::pair{G::kBothLost, "both_lost"},
+                                       std::pair{G::kUnreachable, "out_of_reach"},
+                                       std::pair{G::kJump, "marker_jumped"},
+                                       std::pair{G::kUnregistered, "not_registered"},
+                                       std::pair{G::kExchanged, "cameras_exchanged"}};
 };

@@ -68,6 +68,7 @@ struct SideStatus {
   std::uint64_t unpaired = 0;     ///< images excluded, since the other camera gave none at their time
   std::uint64_t frozen = 0;       ///< images that equal the one before; their pairs are excluded
   std::uint64_t connections = 0;  ///< number of times that a program has connected
+  std::uint64_t refused = 0;      ///< of them, disconnected for `fault`
   std::optional<SideClock> clock;  ///< of a device that stamps its samples itself
   std::optional<SideLatency> latency;
   /// Shown within 0.5 s, since views ask every 0.1 s [s].

@@ -50,4 +50,9 @@ vision::Triangulation StereoTip::triangulate() const {
                                    markers_[1].sigma);
 }
 
+vision::Triangulation StereoTip::triangulateExchanged() const {
+  return triangulator_.triangulate(markers_[1].centroid, markers_[0].centroid, markers_[1].sigma,
+                                   markers_[0].sigma);
+}
+
 }  // namespace capstan::tracking

@@ -31,6 +31,8 @@ class StereoTip {
   vision::CameraRay ray(int side) const;
   /// Position [m] and covariance [m²] in the left camera's frame. Both markers must have been found.
   vision::Triangulation triangulate() const;
+  /// The same of the exchanged images: the left one as the right camera's, and the other way round.
+  vision::Triangulation triangulateExchanged() const;
 
  private:
   vision::MarkerDetection findIn(const cv::Mat& image, const vision::Camera& camera,

@@ -130,6 +130,50 @@ TEST_F(CliLive, ARobotWithCamerasIsTracked) {
   }
 }
 
+/// Images go on while nobody takes the rows; who listens later gets the rows of then.
+TEST_F(CliLive, PlayGoesOnWhenTheReceiverOfTheRowsEnds) {
+  ASSERT_EQ(run("simulate --duration 6 --seed 3 --out " + path("trial.capstan")).exit, 0);
+  const std::string at = "tcp://127.0.0.1:" + std::to_string(20000 + getpid() % 20000),
+                    program = test::commandLineProgram(), track = program + " track --live " + at;
+  const Ran both =
+      runShell("(" + track + " --duration 1; sleep 1; " + track + " --duration 1 --json " +
+               path("second.json") + ") >/dev/null & until " + program + " play " + path("trial.capstan") +
+               " --to " + at + " --video http://127.0.0.1:0 --json " + path("play.json") +
+               "; do sleep 0.1; [ -e " + path("play.json") + " ] && break; done; wait");
+  ASSERT_TRUE(fs::exists(path("play.json"))) << both.err;
+  const json played = json::parse(textOf("play.json")), second = json::parse(textOf("second.json"));
+  const json info = json::parse(run("info " + path("trial.capstan") + " --json -").out);
+  EXPECT_EQ(played["images"]["sent"], info["frames"]) << "to the end";
+  EXPECT_GE(played["connections"], 2);
+  EXPECT_GT(played["lost"], 500);
+  EXPECT_EQ(played["sent"].get<int>() + played["lost"].get<int>(), played["rows"]);
+  EXPECT_NEAR(second["samples"], 1000, 50);
+}
+
+/// Left and right exchanged: said by the time that a blink has passed, and for as long as it lasts.
+TEST_F(CliLive, ExchangedCamerasAreNamed) {
+  ASSERT_EQ(run("simulate --duration 7 --seed 3 --out " + path("trial.capstan")).exit, 0);
+  ASSERT_EQ(run("track " + path("trial.capstan") + " --save-registration " + path("registration.yaml")).exit,
+            0);
+  const std::string port = std::to_string(20000 + getpid() % 20000),
+                    video = "http://127.0.0.1:" + std::to_string(40000 + getpid() % 20000),
+                    program = test::commandLineProgram();
+  write("live.yaml", "title: two cameras\nmotors:\n  from: tcp://127.0.0.1:" + port +
+                         "\ncameras:\n  left: " + video + "/left\n  right: " + video +
+                         "/right\n  calibration: " + test::resourceFile("cameras").string() +
+                         "\n  registration: registration.yaml\n  latency: 0.03\n");
+  const Ran both = runShell("(" + program + " track --live " + path("live.yaml") + " --duration 6.8 --json " +
+                            path("track.json") + ") & until " + program + " play " + path("trial.capstan") +
+                            " --to tcp://127.0.0.1:" + port + " --video " + video +
+                            " --video-fault swap:2@4 2>/dev/null; do sleep 0.1; [ -e " + path("track.json") +
+                            " ] && break; done; wait");
+  ASSERT_TRUE(fs::exists(path("track.json"))) << both.err;
+  const json gates = json::parse(textOf("track.json"))["gates"];
+  EXPECT_GT(gates["cameras_exchanged"], 15)
+      << "of 30 pairs; on a busy machine the streams take seconds to open";
+  EXPECT_NE(both.err.find("camera not used: left and right camera exchanged"), std::string::npos) << both.err;
+}
+
 TEST_F(CliLive, BadAddressesAndFaultsAreRefused) {
   for (const auto& [arguments, words] :
        {std::pair{"track --live tcp://robot:5555", "no IPv4 address"},

@@ -1,13 +1,15 @@
 #!/usr/bin/python3
 """The live path against real programs: a recording is played as a robot and two cameras, another process tracks it live.
 
-    live_study.py [--seconds 60] [--only rows tcp ros streams file faults]
+    live_study.py [--seconds 60] [--only rows tcp ros window streams file hd faults]
 
 rows     rows over TCP
 tcp      rows over TCP, images of two network cameras
 ros      the same as ROS topics (needs rosmaster), then the master is killed and started again
+window   the same as ros in the window (live_window), which records: needs xvfb-run, too
 streams  images relayed by two ffmpeg processes (needs ffmpeg)
 file     rows over TCP, images of one side-by-side video file
+hd       rows over TCP and two network cameras of 1280 × 720 at 30 frames/s, recorded: processor time, lost samples
 faults   every fault of `play`: what is said and when, what the estimate does
 
 Every case prints the live estimates beside those of the recording tracked directly. Latency is the time from when a row
@@ -20,6 +22,7 @@ import io
 import json
 import os
 import pathlib
+import re
 import shutil
 import signal
 import socket
@@ -79,14 +82,35 @@ class Table:
 
 
 class Laboratory:
-    def __init__(self, cli, folder, seconds):
+    def __init__(self, cli, folder, seconds, cameras_scale=None):
         self.cli, self.folder, self.seconds = cli, folder, seconds
         truth = (ROOT / "resources/truth/default.yaml").read_text().replace("rate: 15  # 1/s", "rate: 30  # 1/s")
         (folder / "truth.yaml").write_text(truth)
-        self.run("simulate", "--duration", seconds, "--truth", folder / "truth.yaml", "--out", folder / "trial.capstan")
+        self.cameras = self.make_cameras(cameras_scale) if cameras_scale else ROOT / "resources/cameras"
+        self.run("simulate", "--duration", seconds, "--truth", folder / "truth.yaml", "--cameras", self.cameras, "--out",
+                 folder / "trial.capstan")
         self.run("track", folder / "trial.capstan", "--out", folder / "direct.csv", "--save-registration",
                  folder / "registration.yaml")
         self.direct = Table((folder / "direct.csv").read_text())
+
+    def make_cameras(self, scale):
+        """The cameras of the resources with more pixels: 640 × 480 by `scale`, and wider, 16 : 9."""
+        at = self.folder / "cameras"
+        at.mkdir()
+        height = round(480 * scale)
+        width = round(height * 16 / 9)
+        for eye in ("left", "right"):
+            text = (ROOT / f"resources/cameras/{eye}.yaml").read_text()
+            text = text.replace("image_width: 640", f"image_width: {width}").replace("image_height: 480", f"image_height: {height}")
+            for name in ("camera_matrix", "projection_matrix"):
+                head, data, tail = re.split(rf"({name}:\n.*\n.*\n  data: \[.*\])", text)
+                before, numbers = data[:-1].split("[")
+                numbers = [float(number) * scale for number in numbers.split(",")]
+                numbers[2] += 0.5 * (width - 640 * scale)
+                numbers[-2 if len(numbers) == 12 else -1] = 1.0
+                text = f"{head}{before}[{', '.join(map(repr, numbers))}]{tail}"
+            (at / f"{eye}.yaml").write_text(text)
+        return at
 
     def run(self, *arguments):
         subprocess.run([self.cli, *map(str, arguments)], check=True, stdout=subprocess.DEVNULL)
@@ -97,7 +121,7 @@ class Laboratory:
             text += "  encoders: /arm/encoders/measured_js\n"
         if left:
             text += (f"cameras:\n  left: {left}\n  layout: {layout}\n  latency: {latency}\n"
-                     f"  calibration: {calibration or ROOT / 'resources/cameras'}\n"
+                     f"  calibration: {calibration or self.cameras}\n"
                      f"  registration: {self.folder / 'registration.yaml'}\n")
             text += f"  right: {right}\n" if right else ""
         path = self.folder / "setup.yaml"
@@ -111,25 +135,52 @@ class Session:
     def __init__(self, lab, setup, env=None):
         self.json = lab.folder / "live.json"
         self.json.unlink(missing_ok=True)
-        self.process = subprocess.Popen([lab.cli, "track", "--live", setup, "--out", "-", "--json", self.json],
-                                        stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=env)
+        self.process = subprocess.Popen(self.command(lab, setup), stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                                        stderr=subprocess.PIPE, text=True, env=env)
         self.estimates, self.notices = Lines(self.process.stdout), Lines(self.process.stderr)
-        deadline = time.time() + 20
+        deadline = time.time() + 60
         while not any("waiting for rows" in line for _, line in self.notices.lines):
             if time.time() > deadline or self.process.poll() is not None:
                 raise SystemExit("the live session did not start: " + repr(self.notices.lines))
             time.sleep(0.01)
 
-    def end(self):
-        time.sleep(0.5)
+    def command(self, lab, setup):
+        return [lab.cli, "track", "--live", setup, "--out", "-", "--json", self.json]
+
+    def stop(self):
         self.process.send_signal(signal.SIGINT)
-        self.process.wait(30)
-        self.estimates.thread.join(), self.notices.thread.join()
-        self.report = json.loads(self.json.read_text())
+
+    def read(self):
         self.table = Table("\n".join(line for _, line in self.estimates.lines))
         self.read_at = np.array([t for t, _ in self.estimates.lines[1:]])[:len(self.table.gate)]
+
+    def end(self):
+        time.sleep(0.5)
+        self.stop()
+        self.process.wait(60)
+        self.estimates.thread.join(), self.notices.thread.join()
+        self.report = json.loads(self.json.read_text())
+        self.read()
         self.said = [(t, line) for t, line in self.notices.lines if "receiving" in line or "silent" in line or "used" in line
                      or "frozen" in line or "stepped" in line or "refused" in line or "waiting at" in line]
+
+
+class WindowSession(Session):
+    """The window in a display of its own. It records; an estimate's time is that at which the filter gave it."""
+
+    def command(self, lab, setup):
+        self.out, self.record = lab.folder / "window.csv", lab.folder / "recordings"
+        shutil.rmtree(self.record, ignore_errors=True)
+        self.record.mkdir()
+        return ["xvfb-run", "-a", "-s", "-screen 0 1600x1000x24 -noreset", lab.window, setup, "--out", self.out, "--json",
+                self.json, "--record", self.record]
+
+    def stop(self):
+        self.process.stdin.close()
+
+    def read(self):
+        self.table = Table(self.out.read_text())
+        self.read_at = self.table["read_at"]
 
 
 def play(lab, *arguments, env=None):
@@ -166,9 +217,9 @@ def compare(lab, session, sent):
     say_rms("RMS error of the UKF, recording", rms((direct.joints("q_ukf", others) - direct.joints("q", others))[whole]))
     if motors.sum() == others.sum():
         say_rms("RMS of live − recording", rms((table.joints("q_ukf", motors) - direct.joints("q_ukf", others))[whole]))
-        due = sent["started"] + table["t"][motors] - table["t"][motors][0]
-        late = 1e3 * (session.read_at[motors] - due)
-        print(f"  due to estimate                    median {np.median(late):.2f} ms, 99 % {np.quantile(late, 0.99):.2f} ms")
+    due = sent["started"] + table["t"][motors] - table["t"][motors][0]
+    late = 1e3 * (session.read_at[motors] - due)
+    print(f"  due (its stamp) to estimate        median {np.median(late):.2f} ms, 99 % {np.quantile(late, 0.99):.2f} ms")
 
 
 def network_setup(lab, port, images):
@@ -194,7 +245,7 @@ def over_tcp(lab):
     compare(lab, session, played(lab))
 
 
-def over_ros(lab):
+def over_ros(lab, begin=Session):
     """ROS topics"""
     env = dict(os.environ, ROS_MASTER_URI=f"http://127.0.0.1:{free_port()}", ROS_HOSTNAME="127.0.0.1", ROS_IP="127.0.0.1")
     master = [shutil.which("rosmaster"), "--core", "-p", env["ROS_MASTER_URI"].rsplit(":", 1)[1]]
@@ -203,13 +254,17 @@ def over_ros(lab):
     time.sleep(2)
     setup = lab.setup("ros:/arm/actuators/measured_js", "ros:/stereo/left/image_raw", "ros:/stereo/right/image_raw",
                       calibration=ROOT / "resources/cameras")
-    session = Session(lab, setup, env)
+    session = begin(lab, setup, env)
+    started = time.time()
     playing = play(lab, "--to", "ros", env=env)
     playing.wait()
+    spent = time.time() - started
     session.end()
     compare(lab, session, played(lab))
+    if begin is WindowSession:
+        say_recorded(lab, session, spent)
     # The master is killed and another one started while a second recording plays.
-    session = Session(lab, setup, env)
+    session = begin(lab, setup, env)
     core.terminate(), core.wait()
     time.sleep(1)
     core = start()
@@ -223,6 +278,52 @@ def over_ros(lab):
     playing.terminate(), playing.wait()
     session.end()
     core.terminate(), core.wait()
+
+
+def say_recorded(lab, session, spent):
+    """Prints what the window has recorded, and its recording tracked again beside the original."""
+    recorder = session.report["recorder"]
+    print(f"  recorded {recorder['written']} samples, {recorder['dropped'] + recorder['lost']} lost; processor time of the window "
+          f"{session.report['processor'] / spent:.2f} cores; load average {os.getloadavg()[0]:.1f}")
+    for recording in session.record.glob("*.capstan"):
+        lab.run("track", recording, "--out", lab.folder / "again.csv")
+        again, direct = Table((lab.folder / "again.csv").read_text()), lab.direct
+        motors, others = again["camera"] == 0, direct["camera"] == 0
+        if motors.sum() == others.sum():
+            whole = slice(round(0.1 * motors.sum()), None)
+            say_rms("RMS of its recording − recording", rms((again.joints("q_ukf", motors) - direct.joints("q_ukf", others))[whole]))
+
+
+def in_the_window(lab):
+    """ROS topics, in the window, recorded"""
+    over_ros(lab, WindowSession)
+
+
+def in_hd(lab):
+    """rows over TCP, two network cameras of 1280 × 720, recorded"""
+    port, images = free_port(), free_port()
+    report, out = lab.folder / "record.json", lab.folder / "live.capstan"
+    recording = subprocess.Popen([lab.cli, "record", "--live", network_setup(lab, port, images), "--out", out, "--json", report],
+                                 stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+    notices = Lines(recording.stderr)
+    while not any("waiting for rows" in line for _, line in notices.lines) and recording.poll() is None:
+        time.sleep(0.01)
+    started = time.time()
+    playing = play(lab, "--to", f"tcp://127.0.0.1:{port}", "--video", f"http://127.0.0.1:{images}")
+    player = os.wait4(playing.pid, 0)[2]
+    spent = time.time() - started
+    time.sleep(0.5)
+    recording.send_signal(signal.SIGINT)
+    used = os.wait4(recording.pid, 0)[2]
+    result, sent = json.loads(report.read_text()), played(lab)
+    for side in result["live"]:
+        print(f"  {side['side']:8s} received {side['received']}, missing {side['missing']}, dropped {side['dropped']}, "
+              f"unpaired {side['unpaired']}, frozen {side['frozen']}; arrival to estimate median "
+              f"{1e3 * side['latency']['median']:.2f} ms, 99 % {1e3 * side['latency']['p99']:.2f} ms")
+    print(f"  rows sent {sent['sent']}, pairs sent {sent['images']['sent']}; recorded {result['written']} samples, "
+          f"{result['dropped'] + result['lost']} lost, {result['bytes'] / 1e6:.0f} MB")
+    print(f"  processor time: session {(used.ru_utime + used.ru_stime) / spent:.2f} cores (decoding, tracking, recording), player "
+          f"{(player.ru_utime + player.ru_stime) / spent:.2f}; load average {os.getloadavg()[0]:.1f} on {os.cpu_count()} cores")
 
 
 def relay(source, port):
@@ -307,8 +408,10 @@ def one_fault(lab, session, sent, fault, of):
           (f"   image {again[0] + 1}" if lasting and len(again) else ""), flush=True)
 
 
-CASES = {"rows": rows_only, "tcp": over_tcp, "ros": over_ros, "streams": over_ffmpeg, "file": from_file, "faults": faults}
-NEEDS = {"ros": "rosmaster", "streams": "ffmpeg"}
+CASES = {"rows": rows_only, "tcp": over_tcp, "ros": over_ros, "window": in_the_window, "streams": over_ffmpeg,
+         "file": from_file, "hd": in_hd, "faults": faults}
+NEEDS = {"ros": ["rosmaster"], "window": ["rosmaster", "xvfb-run"], "streams": ["ffmpeg"]}
+HD = 1.5  # pixels of 1280 × 720 for one of 640 × 480
 
 
 def main():
@@ -316,20 +419,25 @@ def main():
     parser.add_argument("--seconds", type=float, default=60.0, help="length of the recording [s]")
     parser.add_argument("--only", nargs="+", choices=CASES, default=list(CASES))
     parser.add_argument("--cli", default=ROOT / "build/release/app/cli/capstan-cli")
+    parser.add_argument("--window", default=ROOT / "build/release/tests/benchmarks/live_window")
     arguments = parser.parse_args()
     with tempfile.TemporaryDirectory(prefix="capstan_live_") as folder:
         labs = {}
         for name in arguments.only:
             seconds = FAULT_SESSION if name == "faults" else arguments.seconds
+            scale = HD if name == "hd" else None
             print(f"{name}: {CASES[name].__doc__}, {seconds:g} s", flush=True)
-            if name in NEEDS and not shutil.which(NEEDS[name]):
-                print(f"  not run: {NEEDS[name]} is not installed")
+            missing = [program for program in NEEDS.get(name, []) if not shutil.which(program)]
+            if missing:
+                print(f"  not run: {missing[0]} is not installed")
                 continue
-            if seconds not in labs:
-                at = pathlib.Path(folder, f"{seconds:g}")
+            key = seconds, scale
+            if key not in labs:
+                at = pathlib.Path(folder, f"{seconds:g}{'_hd' if scale else ''}")
                 at.mkdir()
-                labs[seconds] = Laboratory(str(arguments.cli), at, seconds)
-            CASES[name](labs[seconds])
+                labs[key] = Laboratory(str(arguments.cli), at, seconds, scale)
+                labs[key].window = str(arguments.window)
+            CASES[name](labs[key])
 
 
 if __name__ == "__main__":

@@ -1,14 +1,19 @@
 // The dialog that connects to a live robot: what it writes, reads back, previews and connects to.
 #include "widgets/shell/live_dialog.h"
 
+#include <httplib.h>
+
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDir>
+#include <QElapsedTimer>
 #include <QGroupBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QSpinBox>
+#include <opencv2/videoio.hpp>
 #include <thread>
 
 #include "core/live/cameras/image_server.h"
@@ -143,6 +148,85 @@ TEST_F(LiveDialogTest, PreviewsImagesAndMotorsThatMove) {
   EXPECT_TRUE(textOf("preview_sides").isEmpty());
   quit = true;
   robot.join();
+}
+
+/// A path that is written in the form means the same in the preview, in the file and in the session.
+TEST_F(LiveDialogTest, RelativePathsAreThoseBesideTheFile) {
+  ASSERT_TRUE(QDir(folder_.path()).mkdir("cameras"));
+  for (const char* eye : {"left.yaml", "right.yaml"})
+    ASSERT_TRUE(QFile::copy(QString::fromStdString(test::resourceFile("cameras").string()) + "/" + eye,
+                            file("cameras/") + eye));
+  live::LiveSetup setup{.title = "robot", .robot = {}, .motors = {}, .cameras = live::CamerasSetup{}};
+  setup.motors.from = "tcp://127.0.0.1:" + freePort();
+  setup.cameras->left = "both.mkv", setup.cameras->layout = live::CameraLayout::kSideBySide;
+  setup.cameras->calibration = "cameras";
+  cv::VideoWriter video(file("both.mkv").toStdString(), cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), 10.0,
+                        cv::Size(1280, 480));
+  for (int k = 0; k < 100; ++k) video.write(cv::Mat(480, 1280, CV_8UC3, cv::Scalar(2 * k, 0, 200)));
+  video.release();
+  dialog_.setSetup(setup);
+  ASSERT_TRUE(dialog_.saveFile(file("robot.yaml")));
+  dialog_.show();
+  of<QPushButton>("preview").click();
+  EXPECT_TRUE(waitFor([&] { return of<QLabel>("preview_left").pixmap(Qt::ReturnByValue).width() > 0; }))
+      << textOf("preview_sides").toStdString();
+  QSignalSpy chosen(&dialog_, &LiveDialog::chosen);
+  of<QPushButton>("connect").click();
+  ASSERT_EQ(chosen.size(), 1) << "the file says the same: it need not be saved again";
+  EXPECT_EQ(chosen[0][0].toString(), file("robot.yaml"));
+}
+
+/// A master that answers as that of ROS, on this computer's own port.
+TEST_F(LiveDialogTest, TopicsOfARosMasterAreOffered) {
+  httplib::Server master;
+  std::atomic<bool> slow = false;
+  master.Post("/RPC2", [&](const httplib::Request& request, httplib::Response& response) {
+    if (slow) std::this_thread::sleep_for(std::chrono::seconds(2));
+    EXPECT_NE(request.body.find("getPublishedTopics"), std::string::npos);
+    response.set_content(
+        "<?xml version='1.0'?>\n<methodResponse>\n<params>\n<param>\n<value><array><data>\n"
+        "<value><int>1</int></value>\n<value><string>current topics</string></value>\n<value><array><data>\n"
+        "<value><array><data>\n<value><string>/arm/actuators/measured_js</string></value>\n"
+        "<value><string>sensor_msgs/JointState</string></value>\n</data></array></value>\n"
+        "<value><array><data>\n<value>/stereo/left/image_raw</value>\n<value>sensor_msgs/Image</value>\n"
+        "</data></array></value>\n<value><array><data>\n<value><string>/rosout</string></value>\n"
+        "<value><string>rosgraph_msgs/Log</string></value>\n</data></array></value>\n"
+        "</data></array></value>\n</data></array></value>\n</param>\n</params>\n</methodResponse>\n",
+        "text/xml");
+  });
+  const int port = master.bind_to_any_port("127.0.0.1");
+  std::thread serving([&] { master.listen_after_bind(); });
+  qputenv("ROS_MASTER_URI", QString("http://127.0.0.1:%1/").arg(port).toUtf8());
+  dialog_.setSetup(everyField());
+  dialog_.show();
+  EXPECT_TRUE(waitFor([&] { return textOf("ros_master").contains("3 topic"); }))
+      << textOf("ros_master").toStdString();
+  const auto offers = [&](const char* list, const char* topic) {
+    return of<QComboBox>(list).findData(QString("ros:") + topic) >= 0;
+  };
+  EXPECT_TRUE(offers("from", "/arm/actuators/measured_js"));
+  EXPECT_FALSE(offers("from", "/stereo/left/image_raw"));
+  EXPECT_FALSE(offers("from", "/rosout"));
+  for (const char* eye : {"left", "right"}) {
+    EXPECT_TRUE(offers(eye, "/stereo/left/image_raw"));
+    EXPECT_FALSE(offers(eye, "/arm/actuators/measured_js"));
+  }
+  EXPECT_EQ(dialog_.setup(), everyField()) << "what was written is still there";
+  auto& from = of<QComboBox>("from");
+  from.setCurrentIndex(from.findData("ros:/arm/actuators/measured_js"));
+  EXPECT_EQ(dialog_.setup().motors.from, "ros:/arm/actuators/measured_js");
+
+  // A master that does not answer, and none at all: the window goes on meanwhile.
+  slow = true;
+  dialog_.hide();
+  QElapsedTimer spent;
+  spent.start();
+  dialog_.show();
+  EXPECT_LT(spent.elapsed(), 500);
+  EXPECT_TRUE(waitFor([&] { return textOf("ros_master").contains("no ROS master"); }));
+  master.stop();
+  serving.join();
+  qunsetenv("ROS_MASTER_URI");
 }
 
 TEST_F(LiveDialogTest, PreviewSaysWhyASideCannotBeOpened) {

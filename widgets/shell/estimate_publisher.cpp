@@ -4,10 +4,10 @@
 
 namespace capstan::widgets {
 
-EstimatePublisher::EstimatePublisher(SessionLink& link, const std::string& name_space, QObject* parent)
-    : QObject(parent), topics_(name_space) {
+EstimatePublisher::EstimatePublisher(SessionLink& link, const std::vector<std::string>& to, QObject* parent)
+    : QObject(parent), outputs_(to, "--publish") {
   connect(&link, &SessionLink::opened, this,
-          [this, &link](const tracking::SourceInfo& info) { link.listen(this, topics_.begin(info)); });
+          [this, &link](const tracking::SourceInfo& info) { link.listen(this, outputs_.begin(info)); });
 }
 
 }  // namespace capstan::widgets

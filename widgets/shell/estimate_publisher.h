@@ -2,21 +2,22 @@
 
 #include <QObject>
 #include <string>
+#include <vector>
 
-#include "core/live/estimate_topics.h"
+#include "core/live/estimate_output.h"
 
 namespace capstan::widgets {
 
 class SessionLink;
 
-/// Publishes the estimates of every session of the window on ROS topics (live::EstimateTopics).
+/// Publishes the estimates of every session of the window (live::EstimateOutputs).
 class EstimatePublisher : public QObject {
  public:
-  /// Throws base::InputError (live::EstimateTopics).
-  EstimatePublisher(SessionLink& link, const std::string& name_space, QObject* parent);
+  /// `to`: ROS namespaces and OpenIGTLink addresses. Throws base::InputError (live::EstimateOutputs).
+  EstimatePublisher(SessionLink& link, const std::vector<std::string>& to, QObject* parent);
 
  private:
-  live::EstimateTopics topics_;
+  live::EstimateOutputs outputs_;
 };
 
 }  // namespace capstan::widgets

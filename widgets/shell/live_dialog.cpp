@@ -16,7 +16,9 @@
 #include "core/base/error.h"
 #include "core/live/cameras/video_devices.h"
 #include "core/live/streams/address.h"
+#include "widgets/shell/address_box.h"
 #include "widgets/shell/live_preview_view.h"
+#include "widgets/shell/live_topics.h"
 
 namespace capstan::widgets {
 namespace {
@@ -51,28 +53,6 @@ QDoubleSpinBox* numberBox(const QString& suffix, double most, int decimals) {
   return box;
 }
 
-QComboBox* editableBox() {
-  auto* box = new QComboBox;
-  box->setEditable(true);
-  box->setInsertPolicy(QComboBox::NoInsert);
-  box->setMinimumContentsLength(28);
-  return box;
-}
-
-/// What was chosen in an editable list whose entries have a value beside their text.
-std::string valueOf(const QComboBox& box) {
-  const int known = box.findText(box.currentText());
-  return (known >= 0 && box.itemData(known).isValid() ? box.itemData(known).toString() : box.currentText())
-      .trimmed()
-      .toStdString();
-}
-
-void setValue(QComboBox& box, const std::string& value) {
-  const QString text = QString::fromStdString(value);
-  const int known = box.findData(text);
-  known >= 0 ? box.setCurrentIndex(known) : box.setEditText(text);
-}
-
 }  // namespace
 
 LiveDialog::LiveDialog(QWidget* parent) : QDialog(parent) {
@@ -90,6 +70,8 @@ LiveDialog::LiveDialog(QWidget* parent) : QDialog(parent) {
   grid->addWidget(general, 0, 0);
   grid->addWidget(makeMotors(), 1, 0);
   grid->addWidget(makeCameras(), 2, 0);
+  topics_ = new LiveTopics(from_, {left_, right_}, this);
+  static_cast<QFormLayout*>(from_->parentWidget()->layout())->insertRow(1, QString(), topics_->label());
   auto* side = new QGroupBox(tr("Preview"));
   preview_ = new LivePreviewView;
   auto* layout = new QVBoxLayout(side);
@@ -242,6 +224,7 @@ void LiveDialog::fillDevices() {
       if (size_->findText(text) < 0) size_->addItem(text);
     }
   size_->setEditText(size);
+  topics_->refill();
 }
 
 void LiveDialog::fitLayout() {
@@ -350,12 +333,17 @@ void LiveDialog::askSave(bool then_connect) {
 void LiveDialog::togglePreview(bool on) {
   say({});
   if (!on) return preview_->stop();
-  const live::LiveSetup now = setup();
+  const live::LiveSetup now = besideFile();
   if (now.motors.from == "-") {
     preview_button_->setChecked(false);
     return say(tr("Standard input cannot be previewed: its rows are read once."));
   }
   preview_->start(now);
+}
+
+live::LiveSetup LiveDialog::besideFile() const {
+  const live::LiveSetup now = setup();
+  return file_.isEmpty() ? now : live::resolvedFrom(now, QFileInfo(file_).path().toStdString());
 }
 
 bool LiveDialog::isAddressOnly() const {
@@ -368,12 +356,12 @@ bool LiveDialog::isAddressOnly() const {
 void LiveDialog::connectRobot() {
   preview_button_->setChecked(false);
   if (isAddressOnly()) {
-    Q_EMIT chosen(from_->currentText().trimmed());
+    Q_EMIT chosen(QString::fromStdString(valueOf(*from_)));
     return accept();
   }
   bool saved = false;
   if (!file_.isEmpty()) try {
-      saved = live::readLiveSetup(file_.toStdString()) == setup();
+      saved = live::readLiveSetup(file_.toStdString()) == besideFile();
     } catch (const base::InputError&) {  // it is written again
     }
   if (!saved) return askSave(true);
@@ -388,11 +376,13 @@ void LiveDialog::say(const QString& fault) {
 
 void LiveDialog::showEvent(QShowEvent* event) {
   fillDevices();
+  topics_->setOn(true);
   QDialog::showEvent(event);
 }
 
 void LiveDialog::hideEvent(QHideEvent* event) {
   preview_button_->setChecked(false);
+  topics_->setOn(false);
   QDialog::hideEvent(event);
 }
 

@@ -18,6 +18,7 @@ class QSpinBox;
 namespace capstan::widgets {
 
 class LivePreviewView;
+class LiveTopics;
 
 /// Non-modal dialog that connects to a live robot: writes and reads a live set-up file, lists the cameras of
 /// this computer, and shows what comes before a session is begun.
@@ -59,6 +60,8 @@ class LiveDialog : public QDialog {
   void askSave(bool then_connect);
   void connectRobot();
   void say(const QString& fault);
+  /// setup(), whose relative paths are paths from the folder of the set-up file.
+  live::LiveSetup besideFile() const;
   /// An address alone says the same.
   bool isAddressOnly() const;
 
@@ -73,6 +76,7 @@ class LiveDialog : public QDialog {
   live::RowsSetup other_motors_;  ///< the same of the motors
   QPushButton* preview_button_;
   LivePreviewView* preview_;
+  LiveTopics* topics_;
   QLabel* message_;
 };
 

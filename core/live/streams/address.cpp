@@ -10,7 +10,7 @@
 namespace capstan::live {
 namespace {
 
-constexpr std::string_view kTcp = "tcp://", kHttp = "http://", kRos = "ros:";
+constexpr std::string_view kTcp = "tcp://", kHttp = "http://", kIgtl = "igtl://", kRos = "ros:";
 
 /// A text that is no address, in the option that it was given to.
 struct Given {
@@ -60,6 +60,14 @@ Address parseAddress(const std::string& text, const std::string& option) {
     return {.kind = Address::Kind::kFile, .path = text};
   }
   auto [host, port] = parseHostAndPort(given, kTcp);
+  return {.kind = Address::Kind::kTcp, .path = {}, .host = std::move(host), .port = port};
+}
+
+bool isIgtlAddress(const std::string& text) { return text.starts_with(kIgtl); }
+
+Address parseIgtlAddress(const std::string& text, const std::string& option) {
+  auto [host, port] =
+      parseHostAndPort({text, option, "Give igtl://ADDRESS:PORT, such as igtl://127.0.0.1:18944"}, kIgtl);
   return {.kind = Address::Kind::kTcp, .path = {}, .host = std::move(host), .port = port};
 }
 

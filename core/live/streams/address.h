@@ -27,6 +27,11 @@ struct HttpAddress {
 /// and the text.
 HttpAddress parseHttpAddress(const std::string& text, const std::string& option);
 
+/// Parses "igtl://127.0.0.1:18944" (IPv4 address or localhost), an address to send OpenIGTLink messages at.
+/// Throws base::InputError that names `option` and the text.
+Address parseIgtlAddress(const std::string& text, const std::string& option);
+bool isIgtlAddress(const std::string& text);
+
 /// Whether `text` is the address of a stream rather than the path of a file: "-", "tcp://…" or "ros:/…".
 bool isAddress(const std::string& text);
 /// Whether `text` is a ROS topic, "ros:/…"; the topic without "ros:".

@@ -15,6 +15,8 @@ class GapCounter {
  public:
   static constexpr std::size_t kLearned = 32;
   static constexpr double kSilence = 0.35;  ///< a longer gap is a silence, not missing samples [s]
+  static constexpr double kLeastPeriod =
+      1e-5;  ///< no robot sends faster: smaller intervals are no period [s]
 
   void add(double t) {
     const double interval = t - last_;
@@ -26,7 +28,7 @@ class GapCounter {
     if (learned_ < kLearned) return;
     const auto middle = intervals_.begin() + kLearned / 2;
     std::nth_element(intervals_.begin(), middle, intervals_.end());
-    period_ = *middle;
+    period_ = std::max(*middle, kLeastPeriod);
     learned_ = 0;
   }
   std::uint64_t missing() const { return missing_; }

@@ -13,6 +13,8 @@ class RowTimes {
   /// Time of a row [s]; nothing if the row is repeated or older than the one before. `stamp`: its own time
   /// [s]; `arrival`: on this computer [s].
   std::optional<double> of(double stamp, double arrival);
+  /// The next row is the first one of another connection: a stamp that does not rise is a step of the clock.
+  void reconnect() { reconnected_ = true; }
   std::uint64_t steps() const { return steps_; }        ///< steps of the rows' clock so far
   double lastStep() const { return last_step_; }        ///< size of the last one, positive: ahead [s]
   std::uint64_t repeated() const { return repeated_; }  ///< rows excluded so far
@@ -21,8 +23,9 @@ class RowTimes {
   static constexpr double kAhead = 0.3;  ///< the same for one that goes ahead of the arrivals [s]
 
  private:
-  bool started_ = false;
+  bool started_ = false, reconnected_ = false;
   double offset_ = 0.0, stamp_ = 0.0, arrival_ = 0.0, last_step_ = 0.0;
+  double time_ = 0.0;  ///< of the newest row on the session's clock [s]
   std::uint64_t steps_ = 0, repeated_ = 0;
 };
 

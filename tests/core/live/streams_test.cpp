@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <random>
@@ -6,6 +7,7 @@
 #include "core/live/play_faults.h"
 #include "core/live/streams/address.h"
 #include "core/live/streams/gap_counter.h"
+#include "core/live/streams/igtl_message.h"
 #include "core/live/streams/row_parser.h"
 #include "core/live/streams/row_times.h"
 
@@ -149,6 +151,32 @@ TEST(RowTimes, GoOnWhereTheRowsClockSteps) {
   EXPECT_EQ(times.repeated(), 2U);
 }
 
+TEST(RowTimes, GoOnWhereAnotherProgramConnects) {
+  RowTimes times;
+  EXPECT_EQ(times.of(0.0, 5.0), 0.0);
+  EXPECT_NEAR(*times.of(0.05, 5.05), 0.05, 1e-12);
+  times.reconnect();
+  EXPECT_NEAR(*times.of(0.0, 5.06), 0.06, 1e-9) << "its clock starts at 0 again";
+  EXPECT_NEAR(*times.of(0.001, 5.061), 0.061, 1e-9);
+  times.reconnect();
+  EXPECT_NEAR(*times.of(0.011, 5.071), 0.071, 1e-9) << "the same program as before";
+  EXPECT_EQ(times.steps(), 1U);
+  EXPECT_EQ(times.repeated(), 0U);
+}
+
+TEST(RowTimes, RiseAfterAStampThatHoldsNoFraction) {
+  RowTimes times;
+  double last = *times.of(100.0, 5.0);
+  for (const double stamp : {1e300, 100.0, -1e300, -1e300, 100.001, 1e17, 100.002, 100.003}) {
+    const auto time = times.of(stamp, 5.0 + last);
+    if (!time) continue;
+    EXPECT_GT(*time, last) << stamp;
+    EXPECT_LT(*time, 0.1) << stamp;
+    last = *time;
+  }
+  EXPECT_EQ(times.repeated(), 1U);
+}
+
 TEST(HttpAddress, IsParsedAndRefused) {
   const HttpAddress address = parseHttpAddress("http://localhost:8081", "--video");
   EXPECT_EQ(address.host, "127.0.0.1");
@@ -156,6 +184,29 @@ TEST(HttpAddress, IsParsedAndRefused) {
   for (const char* wrong :
        {"", "tcp://127.0.0.1:8081", "http://127.0.0.1", "http://camera:80", "http://127.0.0.1:x"})
     EXPECT_THROW(parseHttpAddress(wrong, "--video"), base::InputError) << wrong;
+}
+
+/// Bytes that the library OpenIGTLink 1.11 makes of the same transform:
+/// TransformMessage::SetDeviceName("TipToBase"), SetMatrix(), SetTimeStamp(1, 0x80000000), Pack().
+TEST(IgtlMessage, HasTheBytesOfTheLibrary) {
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  pose.matrix()(0, 1) = 0.25;
+  pose.translation().x() = 0.0015;
+  std::string hex;
+  for (const char byte : igtlTransform("TipToBase", pose, 1.5))
+    hex += fmt::format("{:02x}", static_cast<unsigned char>(byte));
+  EXPECT_EQ(
+      hex,
+      "00015452414e53464f524d000000546970546f426173650000000000000000000000000000018000000000000000000000"
+      "30cd482c91a4b4d8233f80000000000000000000003e8000003f8000000000000000000000000000003f8000003fc00000"
+      "0000000000000000");
+}
+
+TEST(IgtlAddress, IsParsedAndRefused) {
+  EXPECT_EQ(parseIgtlAddress("igtl://127.0.0.1:18944", "--publish").port, 18944);
+  EXPECT_EQ(parseIgtlAddress("igtl://localhost:0", "--publish").host, "127.0.0.1");
+  for (const char* wrong : {"igtl://", "igtl://slicer:18944", "igtl://127.0.0.1", "igtl://127.0.0.1:99999"})
+    EXPECT_THROW(parseIgtlAddress(wrong, "--publish"), base::InputError) << wrong;
 }
 
 TEST(PlayFault, ParsesItsForms) {

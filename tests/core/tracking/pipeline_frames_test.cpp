@@ -58,6 +58,30 @@ TEST(PipelineFrames, EachCoveredCameraIsNamed) {
   for (const int count : lost) EXPECT_GE(count, 10);
 }
 
+TEST(PipelineFrames, ExchangedCamerasAreNamed) {
+  for (const bool registered : {true, false}) {
+    SimulatedSource source(simulated(simulation::matchedTruth(), 4.0, true));
+    SourceInfo info = source.info();
+    if (!registered) info.base_from_camera.reset();
+    TrackingPipeline pipeline = makePipeline(info);
+    int exchanged = 0, named = 0, named_wrongly = 0, after = 0;
+    for (Sample sample; source.next(sample);) {
+      auto* frame = std::get_if<StereoFrame>(&sample);
+      const bool now = frame && frame->t > 1.0 && frame->t < 3.0;
+      if (now) std::swap(frame->left, frame->right);
+      const Snapshot& s = pipeline.step(sample);
+      if (!s.camera_updated) continue;
+      exchanged += now;
+      (now ? named : named_wrongly) += s.gate == Gate::kExchanged;
+      if (s.t_cam > 3.2) after += s.gate == (registered ? Gate::kOpen : Gate::kUnregistered);
+    }
+    EXPECT_GE(exchanged, 25);
+    EXPECT_EQ(named, exchanged) << registered;
+    EXPECT_EQ(named_wrongly, 0) << registered;
+    EXPECT_GE(after, 8) << registered;
+  }
+}
+
 TEST(PipelineFrames, ImagesOfAnotherSizeOrFormatAreNamedAndNotSearched) {
   SimulatedSource source(simulated(simulation::matchedTruth(), 2.0, true));
   TrackingPipeline pipeline = makePipeline(source.info());

@@ -32,6 +32,17 @@ TEST_F(SideWatchTest, SaysEachChangeOnce) {
   EXPECT_EQ(observe(State::kRefused), Sentences{"motors refused: line 7 is no row"});
 }
 
+TEST_F(SideWatchTest, SaysARefusalThatWasTooShortToBeSeen) {
+  observe(State::kReceiving);
+  side_.refused = 1, side_.fault = "line 7 is no row";
+  EXPECT_EQ(observe(State::kReceiving), Sentences{"motors refused: line 7 is no row"});
+  side_.refused = 2;
+  EXPECT_EQ(observe(State::kRefused), Sentences{"motors refused: line 7 is no row"});
+  EXPECT_EQ(observe(State::kRefused), Sentences{});
+  side_.refused = 3;
+  EXPECT_EQ(observe(State::kRefused), Sentences{"motors refused: line 7 is no row"}) << "another one";
+}
+
 TEST_F(SideWatchTest, NamesTheCameraAndTheStepOfAClock) {
   observe(State::kReceiving);
   side_.name = "cameras", side_.part = "left";

@@ -128,6 +128,8 @@ QString OcclusionPanel::reason() const {
     return tip_alone_ ? QString("The tip is seen.") : QString("The marker is seen in both images.");
   if (gate_ == tracking::Gate::kUnregistered)
     return "not registered: the marker is seen, the cameras' pose is unknown (Ctrl+R).";
+  if (gate_ == tracking::Gate::kExchanged)
+    return "left and right camera exchanged: exchange their plugs, or left and right in the live set-up.";
   QString why = text(gate_words_);
   if (tip_alone_) return why + ".";
   for (std::size_t side = 0; side < 2; ++side) {

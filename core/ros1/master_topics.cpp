@@ -1,0 +1,66 @@
+#include "core/ros1/master_topics.h"
+
+#include <httplib.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace capstan::ros1 {
+namespace {
+
+constexpr const char* kRequest =
+    "<?xml version=\"1.0\"?><methodCall><methodName>getPublishedTopics</methodName><params>"
+    "<param><value><string>/capstan</string></value></param>"
+    "<param><value><string></string></value></param></params></methodCall>";
+
+/// Texts of the values that contain no other value, in order.
+std::vector<std::string> leavesOf(const std::string& xml) {
+  std::vector<std::string> leaves;
+  std::string opened;  // tag just before the text; empty: a closing one
+  std::size_t text = 0;
+  for (std::size_t begin = xml.find('<'); begin != std::string::npos; begin = xml.find('<', text)) {
+    const std::size_t end = xml.find('>', begin);
+    if (end == std::string::npos) break;
+    const std::string tag = xml.substr(begin + 1, end - begin - 1);
+    const bool value = opened == "string" || opened == "int" || opened == "i4" || opened == "value";
+    if (value && tag == "/" + opened) leaves.push_back(xml.substr(text, begin - text));
+    opened = tag.starts_with('/') ? std::string() : tag;
+    text = end + 1;
+  }
+  return leaves;
+}
+
+}  // namespace
+
+std::string masterUri() {
+  const char* uri = std::getenv("ROS_MASTER_URI");
+  return uri != nullptr && *uri != '\0' ? uri : "http://localhost:11311";
+}
+
+std::optional<std::vector<TopicType>> topicsOfAnswer(const std::string& xml) {
+  const std::vector<std::string> leaves = leavesOf(xml);
+  if (xml.find("<methodResponse>") == std::string::npos || leaves.size() < 2 || leaves[0] != "1" ||
+      leaves.size() % 2 != 0)
+    return {};
+  std::vector<TopicType> topics;
+  for (std::size_t k = 2; k < leaves.size(); k += 2) topics.push_back({leaves[k], leaves[k + 1]});
+  std::ranges::sort(topics, {}, &TopicType::topic);
+  return topics;
+}
+
+std::optional<std::vector<TopicType>> topicsAtMaster(const std::string& uri,
+                                                     std::chrono::milliseconds patience) {
+  std::string address = uri;
+  while (address.ends_with('/')) address.pop_back();
+  if (!address.starts_with("http://")) return {};
+  httplib::Client master(address);
+  if (!master.is_valid()) return {};
+  master.set_connection_timeout(patience);
+  master.set_read_timeout(patience);
+  master.set_write_timeout(patience);
+  const auto answer = master.Post("/RPC2", kRequest, "text/xml");
+  if (!answer || answer->status != 200) return {};
+  return topicsOfAnswer(answer->body);
+}
+
+}  // namespace capstan::ros1

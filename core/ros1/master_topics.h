@@ -1,0 +1,25 @@
+#pragma once
+
+#include <chrono>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/ros1/message_data.h"
+
+namespace capstan::ros1 {
+
+/// Address of the ROS master: the environment variable ROS_MASTER_URI, else "http://localhost:11311".
+std::string masterUri();
+
+/// Topics that somebody publishes at the master `uri` ("http://HOST:PORT"), in order of their names; nothing
+/// if no master answers there within `patience` for the connection and as much for the answer. The master's
+/// function getPublishedTopics (XML-RPC); this program becomes no node, so that it listens nowhere.
+std::optional<std::vector<TopicType>> topicsAtMaster(const std::string& uri,
+                                                     std::chrono::milliseconds patience);
+
+/// Topics in the answer of getPublishedTopics: [1, text, [[topic, type], …]] as XML. Nothing for another
+/// text.
+std::optional<std::vector<TopicType>> topicsOfAnswer(const std::string& xml);
+
+}  // namespace capstan::ros1

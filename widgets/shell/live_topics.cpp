@@ -1,0 +1,73 @@
+#include "widgets/shell/live_topics.h"
+
+#include <QComboBox>
+#include <QLabel>
+#include <utility>
+
+#include "core/ros1/bag_topics.h"
+#include "core/ros1/master_topics.h"
+
+namespace capstan::widgets {
+namespace {
+
+constexpr int kPeriod = 3000;  // ms
+constexpr std::chrono::milliseconds kPatience{700};
+constexpr const char* kScheme = "ros:";
+
+/// Replaces the topics in the list by those that fit; what is written in it stays.
+void fill(QComboBox& box, const std::vector<ros1::TopicType>& topics, bool (*fits)(const std::string&)) {
+  const QString written = box.currentText();
+  for (int k = box.count(); k-- > 0;)
+    if (box.itemData(k).toString().startsWith(kScheme)) box.removeItem(k);
+  for (const ros1::TopicType& one : topics)
+    if (fits(one.type)) {
+      const QString address = QString::fromStdString(kScheme + one.topic);
+      box.addItem(QObject::tr("%1 — %2").arg(address, one.type.c_str()), address);
+    }
+  box.setEditText(written);
+}
+
+}  // namespace
+
+LiveTopics::LiveTopics(QComboBox* motors, std::vector<QComboBox*> images, QObject* parent)
+    : QObject(parent), motors_(motors), images_(std::move(images)), label_(new QLabel) {
+  label_->setObjectName("ros_master");
+  label_->setWordWrap(true);
+  label_->setToolTip(
+      tr("Topics of a running ROS 1 system are listed in From, Left and Right. ROS_MASTER_URI "
+         "names its master."));
+  timer_.setInterval(kPeriod);
+  connect(&timer_, &QTimer::timeout, this, &LiveTopics::ask);
+}
+
+void LiveTopics::setOn(bool on) {
+  if (!on) return timer_.stop();
+  timer_.start();
+  ask();
+}
+
+void LiveTopics::ask() {
+  if (job_.busy()) return;
+  const std::string master = ros1::masterUri();
+  job_.start([master](base::Progress&) { return ros1::topicsAtMaster(master, kPatience); },
+             [this, master](Topics topics) { show(master, std::move(topics)); });
+}
+
+void LiveTopics::show(const std::string& master, Topics topics) {
+  const QString at = QString::fromStdString(master);
+  if (!topics) {
+    label_->setText(tr("no ROS master at %1").arg(at));
+    return;
+  }
+  label_->setText(
+      tr("ROS master at %1: %n topic(s) published", nullptr, static_cast<int>(topics->size())).arg(at));
+  topics_ = std::move(*topics);
+  refill();
+}
+
+void LiveTopics::refill() {
+  fill(*motors_, topics_, ros1::carriesMotors);
+  for (QComboBox* box : images_) fill(*box, topics_, ros1::carriesImages);
+}
+
+}  // namespace capstan::widgets
