@@ -1,6 +1,8 @@
 #include "core/live/streams/row_times.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace capstan::live {
 
@@ -15,13 +17,14 @@ std::optional<double> RowTimes::of(double stamp, double arrival) {
       ++steps_;
       last_step_ = ahead - std::max(passed, kLeastPause);
       offset_ -= last_step_;
-    } else if (ahead <= 0.0) {
+    } else if (ahead <= 0.0 || stamp + offset_ <= time_) {  // the sum may round to the time before
       ++repeated_;
       return {};
     }
   }
   stamp_ = stamp, arrival_ = arrival;
-  return stamp + offset_;
+  time_ = std::max(stamp + offset_, std::nextafter(time_, std::numeric_limits<double>::infinity()));
+  return time_;
 }
 
 }  // namespace capstan::live

@@ -23,6 +23,7 @@ class RowTimes {
  private:
   bool started_ = false;
   double offset_ = 0.0, stamp_ = 0.0, arrival_ = 0.0, last_step_ = 0.0;
+  double time_ = -1.0;  ///< the newest on the session's clock; it begins at 0
   std::uint64_t steps_ = 0, repeated_ = 0;
 };
 

@@ -135,6 +135,24 @@ TEST(RowParser, TakesNoHarmFromMutatedStreams) {
   EXPECT_GT(taken, 2000);
 }
 
+TEST(RowTimes, RiseAlsoWhereTheDifferenceOfTwoClocksRounds) {
+  RowTimes times;
+  double last = -1.0, arrival = 0.0;
+  for (const double stamp :
+       {9.87654321e9, 0.1, 0.1 + 1e-9, 0.1 + 2e-9, -9.9e9, -9.9e9 + 2e-6, 1e10, 3.0, 3.0 + 1e-12}) {
+    const auto time = times.of(stamp, arrival += 1e-9);
+    if (!time) continue;
+    EXPECT_GT(*time, last) << stamp;
+    last = *time;
+  }
+}
+
+TEST(RowParser, RefusesTimesBeyondTheRangeOfClocks) {
+  RowParser parser("rows", robot::defaultDescription(), {});
+  parser.add("t,q_m1,q_m2,q_m3\n1e300,1,2,3\n");
+  EXPECT_THROW(parser.take(true), base::InputError);
+}
+
 TEST(RowTimes, GoOnWhereTheRowsClockSteps) {
   RowTimes times;
   EXPECT_EQ(times.of(100.0, 5.0), 0.0);
