@@ -11,6 +11,7 @@
 #include "core/base/error.h"
 #include "core/table_files/expansion.h"
 #include "core/table_files/hdf5_file.h"
+#include "core/table_files/hdf5_process.h"
 
 namespace capstan::table_files {
 namespace {
@@ -195,10 +196,7 @@ void readGroup(const Hdf5Id& group, const std::string& file, const ColumnTarget&
   }
 }
 
-}  // namespace
-
-void readHdf5(const std::filesystem::path& path, const ColumnTarget& target) {
-  const Hdf5Lock lock;
+void readHere(const std::filesystem::path& path, const ColumnTarget& target) {
   const Hdf5Id file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
   const Hdf5Id root(file.isOpen() ? H5Gopen2(file.get(), "/", H5P_DEFAULT) : -1, H5Gclose);
   if (!root.isOpen())
@@ -210,6 +208,12 @@ void readHdf5(const std::filesystem::path& path, const ColumnTarget& target) {
                             "Check that it is one, complete, and closed by the program that writes it"});
   const Hdf5Id table = hasTime(root) ? Hdf5Id() : onlyTableIn(root);
   readGroup(table.isOpen() ? table : root, path.string(), target);
+}
+
+}  // namespace
+
+void readHdf5(const std::filesystem::path& path, const ColumnTarget& target) {
+  readInProcess(path, target, [&](const ColumnTarget& taker) { readHere(path, taker); });
 }
 
 }  // namespace capstan::table_files

@@ -100,6 +100,7 @@ TEST(RowParser, TakesNoHarmFromMutatedStreams) {
   const auto below = [&](std::size_t n) {
     return std::uniform_int_distribution<std::size_t>(0, n - 1)(random);
   };
+  const robot::Description robot = robot::readDescriptionOrDefault({});
   int refused = 0, taken = 0;
   for (int k = 0; k < 10000; ++k) {
     std::string bytes = whole;
@@ -117,7 +118,7 @@ TEST(RowParser, TakesNoHarmFromMutatedStreams) {
           bytes.erase(below(bytes.size()), below(50));
           if (bytes.empty()) bytes = "t";
       }
-    RowParser parser("stranger", robot::readDescriptionOrDefault({}), {});
+    RowParser parser("stranger", robot, {});
     try {
       for (std::size_t at = 0; at < bytes.size(); at += 100) {
         parser.add(std::string_view(bytes).substr(at, 100));

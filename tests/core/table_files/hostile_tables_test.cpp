@@ -2,8 +2,12 @@
 #include <gmock/gmock.h>
 #include <zlib.h>
 
+#include <csignal>
+
 #include "core/table_files/expansion.h"
+#include "core/table_files/hdf5_process.h"
 #include "tests/core/table_files/sample_table.h"
+#include "tests/support/folders.h"
 
 namespace capstan::table_files {
 namespace {
@@ -105,6 +109,56 @@ with h5py.File('link.h5', 'w') as f:
 )"));
   EXPECT_THAT(errorOf(path("fill.h5")), HasSubstr("more than 256 times its size"));
   EXPECT_EQ(readAll(path("link.h5")).at("t").size(), 3U) << "the link to another file was followed";
+}
+
+/// Ends as a reader of the file `table.h5` does that does `read`.
+std::string errorOfProcess(const std::function<void(const ColumnTarget& target)>& read,
+                           std::vector<double>& t) {
+  try {
+    readInProcess(
+        "table.h5", [&](std::string_view, std::size_t) { return &t; }, read);
+  } catch (const base::InputError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+TEST(Hdf5Process, GivesColumnsAndErrors) {
+  std::vector<double> t;
+  EXPECT_EQ(errorOfProcess([](const ColumnTarget& target) { target("t", 0)->assign(200'000, 1.5); }, t), "");
+  EXPECT_EQ(t, std::vector<double>(200'000, 1.5));
+  EXPECT_EQ(errorOfProcess(
+                [](const ColumnTarget&) {
+                  throw base::InputError({"a.h5", 3, "t", "x", "is wrong", "Mend it"});
+                },
+                t),
+            "a.h5:3: t = x: is wrong. Mend it");
+  EXPECT_EQ(errorOfProcess([](const ColumnTarget&) {}, t), "");
+}
+
+TEST(Hdf5Process, ItsEndByASignalOrItsLimitsIsAnError) {
+  std::vector<double> t;
+  const std::string damaged =
+      "table.h5: is damaged: HDF5 cannot read it. Restore it from a copy, or write it again";
+  EXPECT_EQ(errorOfProcess([](const ColumnTarget& target) { target("t", 0), std::raise(SIGSEGV); }, t),
+            damaged);
+  EXPECT_EQ(errorOfProcess([](const ColumnTarget&) { std::abort(); }, t), damaged);
+  EXPECT_EQ(
+      errorOfProcess([](const ColumnTarget& target) { target("t", 0)->resize(std::size_t{1} << 30U); }, t),
+      damaged);
+}
+
+TEST(Hdf5Process, AnErrorOfTheTargetIsThatOfTheCaller) {
+  const ColumnTarget refusing = [](std::string_view name, std::size_t) -> std::vector<double>* {
+    throw base::InputError({"table.h5", 0, std::string(name), {}, "is given twice", "Remove one"});
+  };
+  EXPECT_THROW(readInProcess("table.h5", refusing, [](const ColumnTarget& target) { target("t", 0); }),
+               base::InputError);
+}
+
+TEST_F(TableFiles, ADamagedTableOfLinksEndsInAnError) {  // HDF5 1.10.8 frees memory that it never had
+  EXPECT_THAT(errorOf(test::sourceFile("tests/fuzz/corpus/hdf5/crash-in-link-table.h5")),
+              HasSubstr("crash-in-link-table.h5"));
 }
 
 }  // namespace
