@@ -31,16 +31,19 @@ struct YamlPlace {
 /// Throws an InputError about `node` at `place`, with its line and value.
 [[noreturn]] void refuseYaml(const YAML::Node& node, const YamlPlace& place, const std::string& reason,
                              const std::string& remedy = {});
-/// Limits of a YAML text: files of strangers may be made to exhaust memory or stack. The largest file of resources/
-/// has 10 KB.
-inline constexpr std::size_t kLongestYaml = 1U << 20;     ///< [bytes]
-inline constexpr std::size_t kMostYamlValues = 200'000;   ///< an alias counts as all that it stands for
-inline constexpr std::size_t kDeepestYaml = 32;           ///< levels of blocks and lists
-/// Parses `text`, which is one document in UTF-8. Throws InputError under the name `file` for syntax errors, other
-/// control characters than line ends and tabs, a key that is given twice or is no text, and a text beyond the limits.
+/// Limits of a YAML text: files of strangers may be made to exhaust memory or stack. The largest file of
+/// resources/ has 10 KB.
+inline constexpr std::size_t kLongestYaml = 1U << 20;    ///< [bytes]
+inline constexpr std::size_t kMostYamlValues = 200'000;  ///< an alias counts as all that it stands for
+inline constexpr std::size_t kDeepestYaml = 32;          ///< levels of blocks and lists
+/// Parses `text`, which is one document in UTF-8. Throws InputError under the name `file` for syntax errors,
+/// other control characters than line ends and tabs, a key that is given twice or is no text, and a text
+/// beyond the limits.
 YAML::Node parseYamlText(const std::string& text, const std::string& file);
-inline constexpr std::uint64_t kLongestText = std::uint64_t{1} << 32U;  ///< of a text file that is read whole [bytes]
-/// Text of the whole file. Throws InputError when it cannot be opened, and when it has more than `most` bytes.
+inline constexpr std::uint64_t kLongestText = std::uint64_t{1}
+                                              << 32U;  ///< of a text file that is read whole [bytes]
+/// Text of the whole file. Throws InputError when it cannot be opened, and when it has more than `most`
+/// bytes.
 std::string readTextFile(const std::filesystem::path& path, std::uint64_t most = kLongestText);
 /// The same of a YAML file, with kLongestYaml.
 std::string readYamlTextFile(const std::filesystem::path& path);

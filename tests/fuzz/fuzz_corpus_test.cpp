@@ -39,7 +39,7 @@ TEST_P(FuzzCorpus, EveryFileGivesAResultOrAClearError) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Targets, FuzzCorpus, ::testing::ValuesIn(indices()),
-                         [](const auto& info) { return targets()[info.param].name; });
+                         [](const auto& one) { return targets()[one.param].name; });
 
 }  // namespace
 }  // namespace capstan::fuzz
