@@ -18,16 +18,30 @@ std::string excerpt(const std::string& value) {
   return length == value.size() ? value : value.substr(0, length) + "…";
 }
 
+/// The text with its control characters written out: a terminal would obey them, and the C string what() ends
+/// at a NUL.
+std::string plain(const std::string& text) {
+  std::string shown;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if ((byte < 0x20 && c != '\n' && c != '\t') || byte == 0x7f)
+      shown += fmt::format("\\x{:02x}", byte);
+    else
+      shown += c;
+  }
+  return shown;
+}
+
 std::string sentence(const InputFault& fault) {
   std::string text = fault.file;
   if (fault.line > 0) text += fmt::format(":{}", fault.line);
   if (!text.empty()) text += ": ";
-  if (!fault.key.empty()) text += fault.key;
+  if (!fault.key.empty()) text += excerpt(fault.key);
   if (!fault.value.empty()) text += (fault.key.empty() ? "" : " = ") + excerpt(fault.value);
   if (!fault.key.empty() || !fault.value.empty()) text += ": ";
   text += fault.reason;
   if (!fault.remedy.empty()) text += ". " + fault.remedy;
-  return text;
+  return plain(text);
 }
 
 }  // namespace

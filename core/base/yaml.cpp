@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <fstream>
 #include <numeric>
-#include <sstream>
 
 #include "core/base/part_file.h"
 
@@ -43,22 +42,26 @@ void refuseYaml(const YAML::Node& node, const YamlPlace& place, const std::strin
   throw InputError({place.file, lineOf(node), place.key, scalarText(node), reason, remedy});
 }
 
-YAML::Node parseYamlText(const std::string& text, const std::string& file) {
-  try {
-    return YAML::Load(text);
-  } catch (const YAML::ParserException& error) {
-    throw InputError(
-        {file, error.mark.line + 1, {}, {}, "is not YAML: " + error.msg, "Correct the syntax in this line"});
-  }
-}
-
-std::string readTextFile(const std::filesystem::path& path) {
+std::string readTextFile(const std::filesystem::path& path, std::uint64_t most) {
   std::ifstream in(path, std::ios::binary);
   if (!in || std::filesystem::is_directory(path))
     throw InputError({path.string(), 0, {}, {}, "cannot be opened", "Check the path and its permissions"});
-  std::ostringstream text;
-  text << in.rdbuf();
-  return std::move(text).str();
+  constexpr std::size_t kPiece = 1U << 16;
+  std::string text;
+  while (in) {
+    const std::size_t size = text.size();
+    text.resize(size + kPiece);
+    in.read(&text[size], kPiece);
+    text.resize(size + static_cast<std::size_t>(in.gcount()));
+    if (text.size() > most)
+      throw InputError({path.string(),
+                        0,
+                        {},
+                        {},
+                        fmt::format("has more than {} bytes", most),
+                        "Check that it is the file that you mean"});
+  }
+  return text;
 }
 
 void writeTextFile(const std::filesystem::path& path, const std::string& text) {
@@ -91,7 +94,9 @@ double yamlNumber(const YAML::Node& node, const YamlPlace& place, const FieldInf
 
 std::string remedyForUnknown(const std::string& key, const std::vector<std::string>& known) {
   constexpr std::size_t kMisspelt = 2;
+  constexpr std::size_t kLongestKey = 64;
   if (known.empty()) return "Remove it";
+  if (key.size() > kLongestKey) return fmt::format("Use one of: {}", fmt::join(known, ", "));
   const auto nearest = std::min_element(known.begin(), known.end(), [&](const auto& a, const auto& b) {
     return editDistance(key, a) < editDistance(key, b);
   });

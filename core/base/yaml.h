@@ -5,7 +5,9 @@
 #include <Eigen/Core>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -29,10 +31,22 @@ struct YamlPlace {
 /// Throws an InputError about `node` at `place`, with its line and value.
 [[noreturn]] void refuseYaml(const YAML::Node& node, const YamlPlace& place, const std::string& reason,
                              const std::string& remedy = {});
-/// Parses `text`; syntax errors become InputErrors under the name `file`.
+/// Limits of a YAML text: files of strangers may be made to exhaust memory or stack. The largest file of
+/// resources/ has 10 KB.
+inline constexpr std::size_t kLongestYaml = 1U << 20;    ///< [bytes]
+inline constexpr std::size_t kMostYamlValues = 200'000;  ///< an alias counts as all that it stands for
+inline constexpr std::size_t kDeepestYaml = 32;          ///< levels of blocks and lists
+/// Parses `text`, which is one document in UTF-8. Throws InputError under the name `file` for syntax errors,
+/// other control characters than line ends and tabs, a key that is given twice or is no text, and a text
+/// beyond the limits.
 YAML::Node parseYamlText(const std::string& text, const std::string& file);
-/// Text of the whole file. Throws InputError when it cannot be opened.
-std::string readTextFile(const std::filesystem::path& path);
+inline constexpr std::uint64_t kLongestText = std::uint64_t{1}
+                                              << 32U;  ///< of a text file that is read whole [bytes]
+/// Text of the whole file. Throws InputError when it cannot be opened, and when it has more than `most`
+/// bytes.
+std::string readTextFile(const std::filesystem::path& path, std::uint64_t most = kLongestText);
+/// The same of a YAML file, with kLongestYaml.
+std::string readYamlTextFile(const std::filesystem::path& path);
 /// Writes `text` to `path` through a temporary file beside it, so that a failure leaves the old content.
 void writeTextFile(const std::filesystem::path& path, const std::string& text);
 /// Parses a number as YAML does. Throws InputError for text, NaN, infinity and numbers outside info.range.
@@ -139,6 +153,9 @@ void readInto(T& value, const YAML::Node& node, const YamlPlace& place, const Fi
   } else if constexpr (std::is_integral_v<T>) {
     const double number = yamlNumber(node, place, info);
     if (number != std::floor(number)) refuseYaml(node, place, "is not a whole number");
+    constexpr double kBeyond = 2.0 * static_cast<double>(std::numeric_limits<T>::max() / 2 + 1);  // exact
+    if (number < static_cast<double>(std::numeric_limits<T>::min()) || number >= kBeyond)
+      refuseYaml(node, place, "is too large a number", std::string(info.meaning));
     value = static_cast<T>(number);
   } else if constexpr (std::is_floating_point_v<T>) {
     value = yamlNumber(node, place, info);
@@ -260,7 +277,7 @@ T readYaml(const std::string& text, const std::string& file) {
 /// Reads a T from the YAML file at `path`. Throws InputError.
 template <Visitable T>
 T readYamlFile(const std::filesystem::path& path) {
-  return readYaml<T>(readTextFile(path), path.string());
+  return readYaml<T>(readYamlTextFile(path), path.string());
 }
 
 /// YAML text of `value`, with units as comments. readYaml() of this text gives the same bits back.

@@ -123,7 +123,7 @@ Specification parseSpecification(const std::string& text, const std::filesystem:
 }
 
 Specification readSpecification(const std::filesystem::path& file) {
-  return parseSpecification(base::readTextFile(file), file);
+  return parseSpecification(base::readYamlTextFile(file), file);
 }
 
 Specification findSpecification(const std::string& name, const std::filesystem::path& beside) {

@@ -64,7 +64,9 @@ std::array<cv::Mat, 3> planesOf(AVFrame& frame, int width) {
 class FrameEncoder::Impl {
  public:
   Impl(int width, int height) : frame_(av_frame_alloc()), packet_(av_packet_alloc()) {
-    if (width < 2 || height < 2) throw std::runtime_error("images of less than 2x2 pixels cannot be stored");
+    if (!isFrameSize(width, height))
+      throw std::runtime_error("images of " + std::to_string(width) + "x" + std::to_string(height) +
+                               " pixels cannot be stored");
     const AVCodec* codec = avcodec_find_encoder_by_name(kCodecName);
     if (!codec) throw std::runtime_error("libavcodec has no encoder " + std::string(kCodecName));
     context_ = makeContext(codec, width, height);
@@ -118,13 +120,19 @@ std::span<const std::uint8_t> FrameEncoder::encode(const cv::Mat& bgr) { return 
 class FrameDecoder::Impl {
  public:
   Impl(const CodecParameters& parameters, const std::string& file)
-      : width_(parameters.width), frame_(av_frame_alloc()), packet_(av_packet_alloc()) {
-    const AVCodec* codec = avcodec_find_decoder_by_name(parameters.name.c_str());
+      : width_(parameters.width),
+        height_(parameters.height),
+        frame_(av_frame_alloc()),
+        packet_(av_packet_alloc()) {
+    // libavcodec has hundreds of decoders; a file of a stranger cannot choose one.
+    const AVCodec* codec =
+        parameters.name == kCodecName ? avcodec_find_decoder_by_name(parameters.name.c_str()) : nullptr;
     const auto refuse = [&](const char* reason) {
       throw base::InputError(
           {file, 0, "codec", parameters.name, reason, "Install a libavcodec that has this decoder"});
     };
-    if (!codec) refuse("is not a codec of this libavcodec");
+    if (!codec) refuse("is not a codec of sessions, or not one of this libavcodec");
+    if (!isFrameSize(parameters.width, parameters.height)) refuse("has an impossible size of images");
     context_ = makeContext(codec, parameters.width, parameters.height);
     const std::size_t size = parameters.extradata.size();
     context_->extradata = static_cast<std::uint8_t*>(av_mallocz(size + AV_INPUT_BUFFER_PADDING_SIZE));
@@ -142,13 +150,14 @@ class FrameDecoder::Impl {
     packet_->data = nullptr;
     packet_->size = 0;
     if (!sent || avcodec_receive_frame(context_.get(), frame_.get()) < 0) return false;
-    if (frame_->format != AV_PIX_FMT_GBRP || frame_->width < width_) return false;
+    if (frame_->format != AV_PIX_FMT_GBRP || frame_->width < width_ || frame_->height != height_)
+      return false;
     cv::merge(planesOf(*frame_, width_).data(), 3, bgr);
     return true;
   }
 
  private:
-  int width_;
+  int width_, height_;
   Context context_;
   Frame frame_;
   Packet packet_;

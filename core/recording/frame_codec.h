@@ -9,6 +9,13 @@
 
 namespace capstan::recording {
 
+/// Sizes of images that are stored: at least 2 × 2 and at most as many pixels as 8K video has [px].
+inline constexpr std::int64_t kLongestSide = 16384, kMostPixels = 7680 * 4320;
+inline constexpr bool isFrameSize(std::int64_t width, std::int64_t height) {
+  return width >= 2 && height >= 2 && width <= kLongestSide && height <= kLongestSide &&
+         width * height <= kMostPixels;
+}
+
 /// Parameters of a decoder besides the packet.
 struct CodecParameters {
   std::string name;  ///< libavcodec's name
@@ -38,7 +45,8 @@ class FrameEncoder {
 
 class FrameDecoder {
  public:
-  /// Throws base::InputError (about `file`) for a codec that this libavcodec lacks.
+  /// Throws base::InputError (about `file`) for a codec that FrameEncoder does not write, or that this
+  /// libavcodec lacks.
   FrameDecoder(const CodecParameters& parameters, const std::string& file);
   ~FrameDecoder();
   FrameDecoder(FrameDecoder&&) noexcept;

@@ -184,6 +184,15 @@ void checkTimes(const MeasuredTable& table, double before) {
                          "Sort the rows by time and remove repeated ones"));
 }
 
+void checkTimeRange(const MeasuredTable& table) {
+  for (std::size_t row = 0; row < table.t.size(); ++row)
+    if (!(std::abs(table.t[row]) <= kLongestTime))
+      throw base::InputError(
+          table.lines.at(table.file, row, "t", fmt::format("{}", table.t[row]),
+                         fmt::format("is beyond {:g} s", kLongestTime),
+                         "Give the time in seconds, or state its unit with --read-as t=ms"));
+}
+
 void keepRows(MeasuredTable& table, const std::vector<bool>& keep) {
   const auto shorten = [&](std::vector<double>& column) {
     std::size_t row = 0;

@@ -48,6 +48,9 @@ MeasuredTable parseMeasuredRows(std::string_view text, const std::string& file);
 /// Throws base::InputError for the first row whose time is not above that of the row before; for the first
 /// row, `before` [s].
 void checkTimes(const MeasuredTable& table, double before);
+/// Throws base::InputError for a time that is no number or beyond ±kLongestTime, in a table in SI units.
+void checkTimeRange(const MeasuredTable& table);
+inline constexpr double kLongestTime = 1e10;  ///< 317 years [s]; clocks count from 1970
 /// Removes the rows whose entry in `keep` is false.
 void keepRows(MeasuredTable& table, const std::vector<bool>& keep);
 /// The columns of the table in the order of a file, with units; those of joints are the ones of `revolute`

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <set>
 
 #include "core/base/error.h"
 #include "core/base/same_recording.h"
@@ -92,7 +93,18 @@ learning::RawPose rawPose(const StreamColumns& columns, std::size_t row,
 Columns columnsOf(const table_files::ColumnReader& reader, const std::string& file) {
   Columns columns;
   columns.lines = reader.lines;
-  reader.read([&](std::string_view name, std::size_t) { return columns.named(name); });
+  std::set<const std::vector<double>*> found;
+  reader.read([&](std::string_view name, std::size_t) {
+    std::vector<double>* const column = columns.named(name);
+    if (column && !found.insert(column).second)
+      throw base::InputError({file,
+                              columns.lines.header(),
+                              std::string(name),
+                              {},
+                              "is in the header twice",
+                              "Rename or remove one"});
+    return column;
+  });
   check(columns, file);
   return columns;
 }

@@ -42,15 +42,18 @@ MeasuredTable parseRavenMotors(std::string_view text, const std::string& file) {
   for (const RavenColumn& column : kColumns) (table.*column.quantity).resize(3);
   std::map<std::string_view, bool> found;
   table_files::parseCsv(text, file, [&](std::string_view name, std::size_t) -> std::vector<double>* {
+    const auto first = [&](std::string_view known) {
+      if (std::exchange(found[known], true))
+        throw base::InputError(
+            {file, 1, std::string(name), {}, "is in the header twice", "Rename or remove one"});
+    };
     if (name == "t_s") {
-      found["t_s"] = true;
+      first("t_s");
       return &table.t;
     }
     for (const RavenColumn& column : kColumns) {
       if (column.name != name) continue;
-      if (std::exchange(found[column.name], true))
-        throw base::InputError(
-            {file, 1, std::string(name), {}, "is in the header twice", "Rename or remove one"});
+      first(column.name);
       return &(table.*column.quantity)[column.joint];
     }
     table.ignored.emplace_back(name);
@@ -69,6 +72,7 @@ MeasuredTable parseRavenMotors(std::string_view text, const std::string& file) {
 }
 
 void checkTime(const MeasuredTable& table) {
+  checkTimeRange(table);
   for (std::size_t row = 1; row < table.rows(); ++row)
     if (!(table.t[row] > table.t[row - 1]))
       throw base::InputError({table.file, static_cast<int>(row) + 2, "t_s", fmt::format("{}", table.t[row]),

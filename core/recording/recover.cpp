@@ -33,7 +33,8 @@ void restoreCodecs(Database& database) {
     Statement rows(
         database,
         "SELECT DISTINCT codec, width, height FROM frame WHERE codec NOT IN (SELECT id FROM codec)");
-    while (rows.step()) lost.push_back({rows.integer(0), rows.integer(1), rows.integer(2)});
+    while (lost.size() < kMostCodecs && rows.step())
+      lost.push_back({rows.integer(0), rows.integer(1), rows.integer(2)});
   }
   Statement insert(database, insertStatement(codecTable(), "INSERT OR REPLACE"));
   for (const auto& [id, width, height] : lost) {

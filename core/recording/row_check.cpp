@@ -35,11 +35,20 @@ std::int64_t crcOf(std::span<sqlite3_value*> arguments) {
   return check.value();
 }
 
+/// Whether a call has its arguments. SQL in the file of a stranger may call the functions in any way.
+bool hasArguments(sqlite3_context* context, int count, int fewest) {
+  if (count >= fewest) return true;
+  sqlite3_result_error(context, "too few arguments of a check sum", -1);
+  return false;
+}
+
 void rowCrc(sqlite3_context* context, int count, sqlite3_value** arguments) {
+  if (!hasArguments(context, count, 1)) return;
   sqlite3_result_int64(context, crcOf({arguments, static_cast<std::size_t>(count)}));
 }
 
 void rowHolds(sqlite3_context* context, int count, sqlite3_value** arguments) {
+  if (!hasArguments(context, count, 3)) return;
   const std::span<sqlite3_value*> row(arguments + 1, static_cast<std::size_t>(count - 1));
   if (sqlite3_value_type(arguments[0]) == SQLITE_INTEGER && sqlite3_value_int64(arguments[0]) == crcOf(row))
     return sqlite3_result_int(context, 1);
@@ -68,7 +77,7 @@ void RowCheck::addBlob(std::span<const std::uint8_t> value) { addBytes('b', valu
 
 void addRowCheck(sqlite3* database) {
   static_assert(std::endian::native == std::endian::little, "the check sum is of little-endian numbers");
-  constexpr int kPure = SQLITE_UTF8 | SQLITE_DETERMINISTIC;
+  constexpr int kPure = SQLITE_UTF8 | SQLITE_DETERMINISTIC | SQLITE_DIRECTONLY;
   sqlite3_create_function(database, "row_crc", -1, kPure, nullptr, rowCrc, nullptr, nullptr);
   sqlite3_create_function(database, "row_holds", -1, kPure, nullptr, rowHolds, nullptr, nullptr);
 }

@@ -31,6 +31,7 @@ std::optional<RowCounts> parseRowCounts(const std::string& text) {
   std::string name;
   for (std::size_t k = 0; k < counts.size(); ++k) {
     if (!(words >> name >> counts[k]) || name != nameOf(k)) return std::nullopt;
+    if (counts[k] < 0 || counts[k] > kMostRows) return std::nullopt;
     words.ignore(1, ',');
   }
   return counts;

@@ -4,6 +4,7 @@
 #include <utility>
 #include <variant>
 
+#include "core/recording/frame_codec.h"
 #include "core/recording/row_check.h"
 
 namespace capstan::recording {
@@ -31,6 +32,21 @@ bool fits(const StoredRow& row, const Table& table, bool checked) {
   if (row.values.size() != table.columns.size() + checked) return false;
   for (std::size_t i = 0; i < table.columns.size(); ++i)
     if (!fits(row.values[i], table.columns[i].type)) return false;
+  return true;
+}
+
+/// Whether the values are possible, which no check sum of a file from a stranger, and none at all in version
+/// 1, ensures.
+bool possible(const StoredRow& row, const Table& table) {
+  const auto integer = [&](std::size_t column) {
+    const auto* value = std::get_if<std::int64_t>(&row.values[column]);
+    return value ? *value : -1;
+  };
+  if (&table == &headerTable()) return std::holds_alternative<std::string>(row.values[0]);
+  if (&table == &dictionaryTable()) return true;
+  if (integer(0) < 0 || integer(0) > kMostRows) return false;  // seq, or the id of a codec
+  if (&table == &recording::table(kFrameTable)) return isFrameSize(integer(4), integer(5));
+  if (&table == &codecTable()) return isFrameSize(integer(2), integer(3));
   return true;
 }
 
@@ -83,7 +99,7 @@ void RowRescue::take(StoredRow&& row) {
     if (!checked && !(unchecked_allowed_ && row.values.size() == columns)) continue;
     const bool keyed = target.table->columns[0].type == ColumnType::kInteger;
     if (keyed && std::holds_alternative<std::monostate>(row.values[0])) row.values[0] = row.id;
-    const bool fitting = fits(row, *target.table, checked);
+    const bool fitting = fits(row, *target.table, checked) && possible(row, *target.table);
     if (fitting && (!checked || verified(row, *target.table))) {
       unchecked_ |= !checked;
       return insert(row, target);

@@ -20,6 +20,8 @@ inline constexpr std::string_view kCheckColumn = "crc";  ///< last column of eac
 /// Value of `reference` in the header if joints are the robot's own kinematics; otherwise it is 1 or 0.
 inline constexpr std::string_view kOwnKinematics = "own kinematics";
 
+inline constexpr std::int64_t kMostRows = std::int64_t{1} << 48;  ///< and largest `seq`; more is damage
+
 enum class ColumnType { kReal, kInteger, kText, kBlob };
 
 struct Column {

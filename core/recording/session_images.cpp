@@ -58,6 +58,7 @@ class SessionImages::Impl {
     ends_->reset();
     if (!ends_->step() || ends_->isNull(0)) return -1;
     std::int64_t low = ends_->integer(0), high = ends_->integer(1);
+    if (low < 0) throw SqliteError(SQLITE_CORRUPT, "a row of table frame has a negative seq");
     while (low < high) {  // the first pair at or after t
       const std::int64_t middle = low + (high - low) / 2;
       const Place place = find(*up_to_, middle);

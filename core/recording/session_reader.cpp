@@ -48,9 +48,12 @@ void checkIdentity(Database& database, const std::filesystem::path& path) {
   if (version > kSchemaVersion)
     refuse(path, fmt::format("has schema version {}, this program knows up to {}", version, kSchemaVersion),
            "Open it with a newer Capstan");
-  for (const Table& table : tables())
+  for (const Table& table : tables()) {
     if (!database.hasTable(table.name))
       refuse(path, fmt::format("lacks the table {}", table.name), kRecoverRemedy);
+    if (database.hasComputedColumns(table.name))
+      refuse(path, fmt::format("has columns that are computed in the table {}", table.name), kRecoverRemedy);
+  }
 }
 
 /// `file:` URI of `path` as an immutable file, for which SQLite needs neither locks nor additional files.
@@ -125,6 +128,8 @@ SessionHeader readHeader(Database& database) {
   header.own_kinematics = value["reference"] == kOwnKinematics;
   header.reference = value["reference"] == "1" || header.own_kinematics;
   header.base_from_camera = parsePose(value["registration"]);
+  if (!header.base_from_camera && !value["registration"].empty())
+    throw SqliteError(SQLITE_CORRUPT, "the registration in its header is no rigid transform");
   header.rows = value["rows"];
   return header;
 }
@@ -133,6 +138,8 @@ std::map<std::int64_t, FrameDecoder> readCodecs(Database& database, const std::s
   std::map<std::int64_t, FrameDecoder> codecs;
   Statement rows = rowsOf(database, codecTable(), "");
   while (rows.step()) {
+    if (!isFrameSize(rows.integer(2), rows.integer(3)) || codecs.size() == kMostCodecs)
+      throw SqliteError(SQLITE_CORRUPT, "its table codec has an impossible size of images, or too many rows");
     const auto extradata = rows.blob(5);
     const CodecParameters parameters = {rows.text(1),
                                         static_cast<int>(rows.integer(2)),

@@ -33,6 +33,7 @@ SessionHeader readHeader(Database& database);
 inline Eigen::Vector3d vectorAt(const Statement& row, int column) {
   return {row.real(column), row.real(column + 1), row.real(column + 2)};
 }
+inline constexpr std::size_t kMostCodecs = 64;  ///< of a session; a recording has one for each size of images
 /// Decoders by row id of table `codec`.
 std::map<std::int64_t, FrameDecoder> readCodecs(Database& database, const std::string& file);
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 #include <limits>
 
 #include "core/base/yaml.h"
@@ -43,7 +44,9 @@ class SessionSource::Impl {
       if (next_[static_cast<std::size_t>(other)] < next_[static_cast<std::size_t>(which)]) which = other;
     if (next_[static_cast<std::size_t>(which)] == kEnd) return false;
     try {
-      read(static_cast<SampleTable>(which), *rows_[static_cast<std::size_t>(which)], out);
+      const Statement& row = *rows_[static_cast<std::size_t>(which)];
+      if (!std::isfinite(row.real(1))) throw SqliteError(SQLITE_CORRUPT, "a sample has no time");
+      read(static_cast<SampleTable>(which), row, out);
       advance(which);
     } catch (const SqliteError& error) {
       throw damagedSession(path_, error);
@@ -74,7 +77,9 @@ class SessionSource::Impl {
 
   void advance(int which) {
     const auto index = static_cast<std::size_t>(which);
+    const std::int64_t before = next_[index];
     next_[index] = rows_[index]->step() ? rows_[index]->integer(0) : kEnd;
+    if (next_[index] <= before) throw SqliteError(SQLITE_CORRUPT, "the rows of a table are not in order");
   }
 
   void read(SampleTable which, const Statement& row, tracking::Sample& out) {
@@ -123,7 +128,7 @@ class SessionSource::Impl {
   tracking::SourceInfo info_;
   std::map<std::int64_t, FrameDecoder> codecs_;
   std::array<std::unique_ptr<Statement>, kReplayed> rows_;
-  std::array<std::int64_t, kReplayed> next_{};
+  std::array<std::int64_t, kReplayed> next_ = {-1, -1, -1, -1};
   std::array<bool, 2> blocked_{};
   std::array<cv::Mat, 2> images_;
 };

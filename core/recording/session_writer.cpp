@@ -6,6 +6,7 @@
 #include <charconv>
 
 #include "core/base/error.h"
+#include "core/base/rigid.h"
 #include "core/recording/row_counts.h"
 #include "core/recording/schema.h"
 
@@ -329,6 +330,7 @@ std::optional<Eigen::Isometry3d> parsePose(std::string_view text) {
     if (fault != std::errc()) return std::nullopt;
     at = next;
   }
+  if (!base::isRigid(pose.matrix())) return std::nullopt;
   return pose;
 }
 

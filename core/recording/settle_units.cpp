@@ -92,6 +92,7 @@ void settleUnits(MeasuredTable& table, const robot::Description& robot, const Re
   std::vector<UnitFinding> before;
   if (!read_as.empty()) before = implausibleUnits(table, robot);
   readColumnsAs(table, robot, read_as);
+  checkTimeRange(table);
   std::vector<UnitFinding> findings = implausibleUnits(table, robot);
   std::erase_if(findings, [&](const UnitFinding& found) {
     return read_as.of(found.quantity, found.column) == ColumnUnit::kSi;

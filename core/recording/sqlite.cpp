@@ -13,6 +13,18 @@ namespace {
   throw SqliteError(code & 0xff, message ? message : "unknown SQLite error");
 }
 
+/// The file may come from a stranger (SQLite, Defense Against The Dark Arts): its schema calls no functions,
+/// cells are checked, and a value has limits. A frame of two million pixels has 6 MB.
+void distrust(sqlite3* handle) {
+  constexpr int kLongestValue = 1 << 28;  // [bytes]
+  sqlite3_db_config(handle, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
+  sqlite3_db_config(handle, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
+  sqlite3_db_config(handle, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);
+  sqlite3_db_config(handle, SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr);
+  sqlite3_limit(handle, SQLITE_LIMIT_LENGTH, kLongestValue);
+  sqlite3_exec(handle, "PRAGMA cell_size_check = ON", nullptr, nullptr, nullptr);
+}
+
 }  // namespace
 
 Database::Database(const std::filesystem::path& path, Mode mode) {
@@ -27,6 +39,7 @@ Database::Database(const std::filesystem::path& path, Mode mode) {
   if (code != SQLITE_OK) fail(handle, code);
   sqlite3_extended_result_codes(handle, 1);
   sqlite3_busy_timeout(handle, 2000);
+  distrust(handle);
   addRowCheck(handle);
 }
 
@@ -41,9 +54,17 @@ std::int64_t Database::number(const std::string& sql) {
 }
 
 bool Database::hasTable(std::string_view name) {
-  Statement statement(*this, "SELECT count(*) FROM sqlite_master WHERE type = 'table' AND name = ?");
+  Statement statement(*this,
+                      "SELECT count(*) FROM sqlite_master WHERE type = 'table' AND name = ? "
+                      "AND rootpage > 0");
   statement.bind(1, name);
   return statement.step() && statement.integer(0) == 1;
+}
+
+bool Database::hasComputedColumns(std::string_view table) {
+  Statement statement(*this, "SELECT count(*) FROM pragma_table_xinfo(?) WHERE hidden <> 0");
+  statement.bind(1, table);
+  return statement.step() && statement.integer(0) > 0;
 }
 
 Statement::Statement(Database& database, const std::string& sql) {

@@ -35,7 +35,10 @@ class Database {
   void run(const std::string& sql);
   /// First column of the first row as a number; 0 without rows. Throws SqliteError.
   std::int64_t number(const std::string& sql);
+  /// Whether there is a table of this name with rows of its own: neither a view nor a virtual table.
   bool hasTable(std::string_view name);
+  /// Whether the table has columns whose values are computed by the file's own SQL.
+  bool hasComputedColumns(std::string_view table);
   sqlite3* handle() const { return handle_.get(); }
 
  private:

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <set>
 
 #include "core/base/error.h"
 
@@ -14,6 +15,7 @@ using Bytes = std::vector<std::uint8_t>;
 constexpr std::uint8_t kTableLeaf = 0x0D;
 constexpr std::size_t kLeafHeader = 8, kLogHeader = 32, kFrameHeader = 24;
 constexpr std::size_t kMostValues = 64;          ///< of a row; more is damage
+constexpr std::uint64_t kMostReads = 4;          ///< of an overflow page, on average
 constexpr std::uint64_t kMostPayload = 1 << 28;  ///< of a row [bytes]; more is damage
 
 std::uint32_t big16(const std::uint8_t* at) { return static_cast<std::uint32_t>(at[0] << 8 | at[1]); }
@@ -87,6 +89,7 @@ void SqlitePages::readLog() {
   for (std::uint64_t at = kLogHeader; read(log_, at, frame); at += kFrameHeader + page_size_) {
     if (std::memcmp(&head[16], &frame[8], 8) != 0) break;
     log_pages_.push_back({big32(frame.data()), at + kFrameHeader});
+    newest_[log_pages_.back().number] = log_pages_.back().offset;
   }
 }
 
@@ -100,8 +103,8 @@ bool SqlitePages::read(std::ifstream& from, std::uint64_t offset, Bytes& page) c
 /// The newest version of a page, from 1.
 bool SqlitePages::readPage(std::uint32_t number, Bytes& page) {
   page.resize(page_size_);
-  const auto newest = std::ranges::find(log_pages_.rbegin(), log_pages_.rend(), number, &LogPage::number);
-  if (newest != log_pages_.rend()) return read(log_, newest->offset, page);
+  if (const auto newest = newest_.find(number); newest != newest_.end())
+    return read(log_, newest->second, page);
   return number > 0 && read(file_, std::uint64_t{number - 1} * page_size_, page);
 }
 
@@ -121,7 +124,8 @@ std::optional<Bytes> SqlitePages::payload(const Bytes& page, std::size_t at, std
   std::uint32_t next = local < size ? big32(&page[at + local]) : 0;
   Bytes overflow;
   while (bytes.size() < size) {
-    if (next == 0 || !readPage(next, overflow)) return std::nullopt;
+    if (next == 0 || overflow_left_ < page_size_ || !readPage(next, overflow)) return std::nullopt;
+    overflow_left_ -= page_size_;
     const std::uint64_t part = std::min<std::uint64_t>(size - bytes.size(), usable - 4);
     bytes.insert(bytes.end(), overflow.begin() + 4, overflow.begin() + 4 + static_cast<std::ptrdiff_t>(part));
     next = big32(overflow.data());
@@ -153,9 +157,11 @@ bool SqlitePages::scanPage(const Bytes& page, PageCounts& counts,
   ++counts.pages;
   if (page[0] != kTableLeaf) return true;
   const std::size_t cells = big16(&page[3]);
+  std::set<std::size_t> begins;  // of the cells: each is one row
   for (std::size_t i = 0; i < cells && kLeafHeader + 2 * i + 2 <= page.size(); ++i) {
     if (progress && progress->cancelled()) return false;
-    std::optional<StoredRow> row = rowAt(page, big16(&page[kLeafHeader + 2 * i]));
+    const std::size_t begin = big16(&page[kLeafHeader + 2 * i]);
+    std::optional<StoredRow> row = begins.insert(begin).second ? rowAt(page, begin) : std::nullopt;
     if (!row)
       ++counts.unreadable;
     else
@@ -168,6 +174,9 @@ PageCounts SqlitePages::scan(const std::function<void(StoredRow&&)>& row, const 
   PageCounts counts;
   const std::uint64_t whole = file_bytes_ / page_size_;
   counts.missing = stated_pages_ > whole && log_pages_.empty() ? stated_pages_ - whole : 0;
+  // Each overflow page belongs to one row, in the file and in each transaction of the log. Pages that are
+  // stated to belong to many rows are read a few times, but not as often as there are cells.
+  overflow_left_ = kMostReads * (file_bytes_ + log_pages_.size() * page_size_);
   Bytes page(page_size_);
   for (std::uint64_t number = 1; number < whole; ++number)  // page 1, at 0, is the schema
     if (!read(file_, number * page_size_, page) || !scanPage(page, counts, row, progress)) return counts;

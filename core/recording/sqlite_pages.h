@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <variant>
 #include <vector>
 
@@ -27,7 +28,7 @@ struct StoredRow {
 /// What a scan of the pages met.
 struct PageCounts {
   std::uint64_t pages = 0;       ///< pages in the file and its write-ahead log
-  std::uint64_t unreadable = 0;  ///< cells of table leaves that are no row
+  std::uint64_t unreadable = 0;  ///< cells of table leaves that are no row, or overlap others
   std::uint64_t missing = 0;     ///< pages that the file's header states and the file lacks
 };
 
@@ -65,6 +66,9 @@ class SqlitePages {
     std::uint64_t offset;
   };
   std::vector<LogPage> log_pages_;  ///< in the order of writing
+  std::unordered_map<std::uint32_t, std::uint64_t>
+      newest_;                       ///< offset of the newest version of a page in the log
+  std::uint64_t overflow_left_ = 0;  ///< bytes of overflow pages that the scan may still read
 };
 
 }  // namespace capstan::recording

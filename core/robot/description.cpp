@@ -88,7 +88,7 @@ Description parseDescription(const std::string& text, const std::string& name) {
 }
 
 Description readDescription(const std::filesystem::path& path) {
-  return parseDescription(base::readTextFile(path), path.string());
+  return parseDescription(base::readYamlTextFile(path), path.string());
 }
 
 Description defaultDescription() { return readDescription(base::resource("robots/raven2_left.yaml")); }

@@ -63,8 +63,9 @@ bool foldOne(const Effect& effect, Description& robot) {
 Description foldEffects(Description description) {
   std::vector<Effect> effects;
   effects.swap(description.effects);
-  std::ranges::stable_partition(
-      effects, [](const Effect& effect) { return effect.effect == "cable_coupling"; });  // for homing errors
+  std::stable_partition(effects.begin(), effects.end(), [](const Effect& effect) {
+    return effect.effect == "cable_coupling";
+  });  // for homing errors
   for (Effect& effect : effects)
     if (!foldOne(effect, description)) description.effects.push_back(std::move(effect));
   return description;

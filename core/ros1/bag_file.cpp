@@ -187,6 +187,7 @@ const Bytes& BagFile::chunk(std::uint32_t number) {
   if (loaded_ == number) return chunk_;
   const Chunk& one = chunks_.at(number);
   loaded_.reset();
+  chunk_ = Bytes();  // one at a time in memory
   chunk_ = uncompressed(Cursor(in_, one.at, size_).bytes(one.stored), one.compression, one.size);
   loaded_ = number;
   return chunk_;

@@ -40,7 +40,7 @@ class BagFile {
   /// Nothing: all were read. Throws base::InputError that names the time of the damage.
   std::optional<BagMessage> next();
 
-  static constexpr std::uint32_t kLargestChunk = 1U << 29;  ///< uncompressed [bytes]
+  static constexpr std::uint32_t kLargestChunk = 1U << 28;  ///< uncompressed [bytes]; rosbag makes 768 KiB
 
  private:
   struct Connection {

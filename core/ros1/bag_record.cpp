@@ -71,6 +71,9 @@ Bytes fromLz4(const Bytes& stored, std::uint32_t size) {
     throw std::runtime_error("LZ4 is not available");
   const std::unique_ptr<LZ4F_dctx, decltype(&LZ4F_freeDecompressionContext)> owner(
       context, LZ4F_freeDecompressionContext);
+  // A byte of the block format repeats at most 255 bytes (lz4.org): no memory for a size that is not stored.
+  constexpr std::uint64_t kLargestRatio = 255;
+  if (size > kLargestRatio * stored.size()) throw std::runtime_error("a chunk states a wrong size");
   Bytes out(size);
   std::size_t read = 0, written = 0;
   while (read < stored.size() && written < size) {

@@ -10,6 +10,7 @@
 
 #include "core/base/error.h"
 #include "core/base/yaml.h"
+#include "core/ros1/compressed_size.h"
 
 namespace capstan::ros1 {
 namespace {
@@ -69,8 +70,8 @@ cv::Mat imageOf(const Image& message) {
                             "Publish bgr8, rgb8, mono8 or an 8-bit Bayer pattern"});
   const auto row =
       static_cast<std::uint64_t>(message.width) * static_cast<std::uint64_t>(encoding->second.channels);
-  if (message.width == 0 || message.height == 0 || message.width > 65536 || message.height > 65536 ||
-      message.step < row || static_cast<std::uint64_t>(message.step) * message.height > message.data.size())
+  if (!isImageSize(message.width, message.height) || message.step < row ||
+      static_cast<std::uint64_t>(message.step) * message.height > message.data.size())
     throw base::InputError({{},
                             0,
                             "data",
@@ -89,7 +90,15 @@ cv::Mat imageOf(const Image& message) {
 
 cv::Mat imageOf(const CompressedImage& message) {
   cv::Mat image;
-  if (!message.data.empty()) image = cv::imdecode(message.data, cv::IMREAD_COLOR);
+  const auto size = compressedSizeOf(message.data);
+  if (size && !isImageSize(size->width, size->height))
+    throw base::InputError({{},
+                            0,
+                            "data",
+                            fmt::format("{} x {} pixels", size->width, size->height),
+                            "are too many for an image",
+                            "Check the program that publishes the images"});
+  if (size) image = cv::imdecode(message.data, cv::IMREAD_COLOR);
   if (image.empty())
     throw base::InputError({{},
                             0,

@@ -1,5 +1,6 @@
 #include "core/ros1/raven_state.h"
 
+#include <charconv>
 #include <cstring>
 #include <map>
 #include <sstream>
@@ -19,18 +20,24 @@ const std::map<std::string, std::size_t, std::less<>> kSizes = {
       {{}, 0, field, {}, reason, "Check that the topic is the ravenstate of a RAVEN-II's own software"});
 }
 
+constexpr std::size_t kMostEntries = 4096;  // of a field; more is damage
+
 /// Size in bytes of a field of the type `type`, as float32[16]; 0: the type is not one of fixed length.
 std::size_t sizeOf(const std::string& type) {
   const std::size_t bracket = type.find('[');
   const auto one = kSizes.find(type.substr(0, bracket));
   if (one == kSizes.end()) return 0;
   if (bracket == std::string::npos) return one->second;
-  return one->second * static_cast<std::size_t>(std::atoi(type.c_str() + bracket + 1));
+  std::size_t count = 0;
+  const char* const end = type.data() + type.size();
+  const auto [at, fault] = std::from_chars(type.data() + bracket + 1, end, count);
+  const bool whole = fault == std::errc() && at + 1 == end && *at == ']';
+  return whole && count <= kMostEntries ? one->second * count : 0;
 }
 
 template <class T>
 T numberAt(const Bytes& bytes, std::size_t at) {
-  if (at + sizeof(T) > bytes.size()) refuse("raven_state", "ends too early");
+  if (sizeof(T) > bytes.size() || at > bytes.size() - sizeof(T)) refuse("raven_state", "ends too early");
   T value;
   std::memcpy(&value, bytes.data() + at, sizeof value);
   return value;

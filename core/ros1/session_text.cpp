@@ -1,5 +1,7 @@
 #include "core/ros1/session_text.h"
 
+#include "core/base/error.h"
+#include "core/base/rigid.h"
 #include "core/base/yaml.h"
 
 namespace capstan::ros1 {
@@ -29,6 +31,13 @@ void takeSessionText(const SessionText& text, const std::string& file, tracking:
   info.truth = text.truth, info.marker = text.marker, info.tracking = text.tracking;
   info.own_kinematics = text.own_kinematics;
   info.begin = text.begin, info.duration = text.duration;
+  if (text.base_from_camera && !base::isRigid(*text.base_from_camera))
+    throw base::InputError({file,
+                            0,
+                            "base_from_camera",
+                            {},
+                            "is no rigid transform",
+                            "Export the session again, or register again"});
   if (text.base_from_camera) info.base_from_camera = Eigen::Isometry3d(*text.base_from_camera);
 }
 

@@ -26,7 +26,7 @@ struct SessionText {
     field(self.tracking, {"tracking", "", "text of the filter options", {}, false});
     field(self.own_kinematics,
           {"own_kinematics", "", "whether joints are computed by the robot from its motors", {}, false});
-    field(self.epoch, {"epoch", "s", "ROS time of the session's time 0; 0: not kept", {0.0, 4294967295.0}});
+    field(self.epoch, {"epoch", "s", "ROS time of the session's time 0; 0: not kept", {0.0, 2147483647.0}});
     field(self.begin, {"begin", "s", "time of the first sample", {}, false});
     field(self.duration, {"duration", "s", "time from the first to the last sample", {}, false});
     field(self.base_from_camera, {"base_from_camera", "", "registration, 4 x 4", {}, false});

@@ -106,13 +106,13 @@ void parseCsv(std::string_view text, const std::string& file, const ColumnTarget
   text = withoutMark(text);
   std::string_view rest = text;
   const Header header = parseHeader(take(rest, '\n'), file, target);
-  const auto lines = static_cast<std::size_t>(std::count(rest.begin(), rest.end(), '\n')) + 1;
-  for (std::vector<double>* column : header.targets)
-    if (column) column->reserve(lines);
-
   while (!rest.empty() && (rest.back() == '\n' || rest.back() == '\r')) rest.remove_suffix(1);
   if (rest.empty())
     throw base::InputError({file, 2, {}, {}, "has no rows", "Add at least one row of values"});
+  // A row has a comma between any two cells: empty lines reserve nothing.
+  const auto lines = static_cast<std::size_t>(std::count(rest.begin(), rest.end(), '\n')) + 1;
+  for (std::vector<double>* column : header.targets)
+    if (column) column->reserve(std::min(lines, rest.size() / header.names.size() + 1));
   for (int line = 2; !rest.empty(); ++line) parseRow(take(rest, '\n'), line, file, header);
 }
 

@@ -9,7 +9,9 @@
 #include <string>
 
 #include "core/base/error.h"
+#include "core/table_files/expansion.h"
 #include "core/table_files/hdf5_file.h"
+#include "core/table_files/hdf5_process.h"
 
 namespace capstan::table_files {
 namespace {
@@ -25,6 +27,7 @@ constexpr hsize_t kUnstored = 16U << 20;         ///< bytes that may be fill val
 struct DataSet {
   std::string file, name;
   Hdf5Id id;
+  hsize_t file_size = 0;  ///< [bytes]
 
   [[noreturn]] void refuse(const std::string& value, const std::string& reason,
                            const std::string& remedy) const {
@@ -90,7 +93,7 @@ void checkStorage(const DataSet& set, hsize_t rows) {
                  "Write it with smaller chunks, for example of 16,384 values");
   }
   // A chunk that is not stored holds the fill value; all other layouts are stored as they are.
-  const hsize_t stored = H5Dget_storage_size(set.id.get());
+  const hsize_t stored = std::min<hsize_t>(H5Dget_storage_size(set.id.get()), set.file_size);
   const hsize_t most = layout == H5D_CHUNKED ? std::max(kUnstored, kLargestRatio * stored) : stored;
   if (rows * size > most)
     set.refuse(fmt::format("{} rows", rows), fmt::format("has more rows than its {} bytes can hold", stored),
@@ -147,7 +150,10 @@ Hdf5Id objectIn(const Hdf5Id& group, const std::string& name, H5I_type_t type) {
 }
 
 bool hasTime(const Hdf5Id& group) {
-  return H5Lexists(group.get(), "t", H5P_DEFAULT) > 0 && objectIn(group, "t", H5I_DATASET).isOpen();
+  H5L_info_t link{};
+  return H5Lexists(group.get(), "t", H5P_DEFAULT) > 0 &&
+         H5Lget_info(group.get(), "t", &link, H5P_DEFAULT) >= 0 && link.type == H5L_TYPE_HARD &&
+         objectIn(group, "t", H5I_DATASET).isOpen();
 }
 
 /// The only group below `root` that has a data set `t`; nothing if none or several have.
@@ -165,8 +171,10 @@ Hdf5Id onlyTableIn(const Hdf5Id& root) {
 void readGroup(const Hdf5Id& group, const std::string& file, const ColumnTarget& target) {
   std::optional<std::pair<std::string, hsize_t>> first;
   std::size_t index = 0;
+  hsize_t bytes = 0;  // of all columns
+  const hsize_t file_size = std::filesystem::file_size(file);
   for (const std::string& name : namesIn(group)) {
-    DataSet set{file, name, objectIn(group, name, H5I_DATASET)};
+    DataSet set{file, name, objectIn(group, name, H5I_DATASET), file_size};
     std::vector<double>* values = set.id.isOpen() ? target(name, index++) : nullptr;
     if (!values) continue;
     checkType(set);
@@ -178,15 +186,17 @@ void readGroup(const Hdf5Id& group, const std::string& file, const ColumnTarget&
                  "Give all columns the same number of rows, and NaN where there is no value");
     if (rows == 0) set.refuse({}, "has no rows", "Add at least one row of values");
     checkStorage(set, rows);
+    bytes += rows * sizeof(double);
+    if (bytes > mostColumnBytes(file_size))
+      set.refuse(fmt::format("{} rows", rows),
+                 fmt::format("expands the file to more than {} times its size", kLargestExpansion),
+                 "Check the values of its columns: hardly any differ");
     readRows(set, rows, *values);
     checkFinite(set, *values);
   }
 }
 
-}  // namespace
-
-void readHdf5(const std::filesystem::path& path, const ColumnTarget& target) {
-  const Hdf5Lock lock;
+void readHere(const std::filesystem::path& path, const ColumnTarget& target) {
   const Hdf5Id file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
   const Hdf5Id root(file.isOpen() ? H5Gopen2(file.get(), "/", H5P_DEFAULT) : -1, H5Gclose);
   if (!root.isOpen())
@@ -198,6 +208,12 @@ void readHdf5(const std::filesystem::path& path, const ColumnTarget& target) {
                             "Check that it is one, complete, and closed by the program that writes it"});
   const Hdf5Id table = hasTime(root) ? Hdf5Id() : onlyTableIn(root);
   readGroup(table.isOpen() ? table : root, path.string(), target);
+}
+
+}  // namespace
+
+void readHdf5(const std::filesystem::path& path, const ColumnTarget& target) {
+  readInProcess(path, target, [&](const ColumnTarget& taker) { readHere(path, taker); });
 }
 
 }  // namespace capstan::table_files

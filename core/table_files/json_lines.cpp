@@ -34,8 +34,7 @@ class RowTaker final : public Json::json_sax_t {
   /// Gives the columns without a value in this row NaN.
   void finish() {
     ++rows_;
-    for (auto& [name, column] : columns_)
-      if (column.values) column.values->resize(rows_, kNaN);
+    for (std::vector<double>* values : taken_) values->resize(rows_, kNaN);
   }
   std::size_t rows() const { return rows_; }
 
@@ -57,8 +56,7 @@ class RowTaker final : public Json::json_sax_t {
   bool key(string_t& name) override {
     if (depth_ != 1) return true;  // within a value that is ignored
     const auto found = columns_.find(name);
-    at_ = found != columns_.end() ? found
-                                  : columns_.emplace(name, Column{target_(name, columns_.size()), 0}).first;
+    at_ = found != columns_.end() ? found : added(name);
     if (std::exchange(at_->second.line, line_) == line_)
       throw base::InputError(
           {file_, line_, name, {}, "is in this object twice", "Give each column one value in a row"});
@@ -75,6 +73,13 @@ class RowTaker final : public Json::json_sax_t {
   }
 
  private:
+  using Columns = std::map<std::string, Column, std::less<>>;
+
+  Columns::iterator added(const std::string& name) {
+    std::vector<double>* values = target_(name, columns_.size());
+    if (values) taken_.push_back(values);
+    return columns_.emplace(name, Column{values, 0}).first;
+  }
   bool take(double value, const std::string& text) {
     if (depth_ == 0) return refuseLine(text);
     if (columns_.empty() || !at_->second.values) return true;
@@ -96,8 +101,10 @@ class RowTaker final : public Json::json_sax_t {
 
   std::string file_;
   const ColumnTarget& target_;
-  std::map<std::string, Column, std::less<>> columns_;
-  std::map<std::string, Column, std::less<>>::iterator at_;
+  Columns columns_;
+  Columns::iterator at_;
+  std::vector<std::vector<double>*>
+      taken_;  ///< of the columns that are not ignored: few, whatever the file has
   std::size_t rows_ = 0;
   int line_ = 0, depth_ = 0;
 };

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "core/base/error.h"
+#include "core/table_files/expansion.h"
 #include "core/table_files/matlab5_variable.h"
 
 namespace capstan::table_files {
@@ -14,6 +15,7 @@ namespace {
 
 constexpr std::uint64_t kHeader = 128;
 constexpr std::uint64_t kTag = 8;
+constexpr std::size_t kMostElements = 10'000;  ///< variables of a file; more is damage
 
 /// A top-level element of the file.
 struct Element {
@@ -33,7 +35,7 @@ class ElementList {
     for (std::uint64_t at = kHeader; at + kTag <= size;) {
       FileBytes bytes(file, at, kTag);
       const MatlabTag tag = MatlabReader(bytes, file, swap_).tag();
-      if (tag.size > size - at - kTag) refuseDamagedMatlab(file);
+      if (tag.size > size - at - kTag || elements_.size() == kMostElements) refuseDamagedMatlab(file);
       elements_.push_back({tag, at + kTag});
       at += kTag + tag.size + tag.padding;
     }
@@ -76,6 +78,11 @@ class ColumnTaker {
       refuse(name, fmt::format("{} rows", rows),
              fmt::format("does not have the {} rows of {}", first_->second, first_->first),
              "Give all columns the same number of rows, and NaN where there is no value");
+    bytes_ += rows * sizeof(double);
+    if (bytes_ > mostColumnBytes(std::filesystem::file_size(file_)))
+      refuse(name, fmt::format("{} rows", rows),
+             fmt::format("expands the file to more than {} times its size", kLargestExpansion),
+             "Check the values of its columns: hardly any differ");
     values->clear();
     reader.numbers(rows, *values);
     const auto found = std::find_if(values->begin(), values->end(), [](double x) { return std::isinf(x); });
@@ -106,6 +113,7 @@ class ColumnTaker {
   std::string file_;
   const ColumnTarget& target_;
   std::size_t index_ = 0;
+  std::uint64_t bytes_ = 0;  ///< of all columns
   std::optional<std::pair<std::string, std::size_t>> first_;
 };
 

@@ -18,7 +18,7 @@ struct InfoMatrix {
   static void visit(Self& self, Visitor&& field) {
     field(self.rows, {"rows", "", "number of rows", {Rows, Rows}});
     field(self.cols, {"cols", "", "number of columns", {Cols, Cols}});
-    field(self.data, {"data", "", "elements, row by row"});
+    field(self.data, {"data", "", "elements, row by row", {-1e9, 1e9}});
   }
   Eigen::Matrix<double, Rows, Cols> matrix() const {
     Eigen::Matrix<double, Rows, Cols> out;
@@ -81,8 +81,8 @@ void checkCamera(const InfoFile& file) {
                 "Write the matrix row by row, without skew");
   const Eigen::Matrix3d r = info.rectification.matrix();
   constexpr double kOrthogonal = 1e-3;
-  if ((r * r.transpose() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() > kOrthogonal ||
-      r.determinant() < 0.0)
+  const Eigen::Matrix3d excess = r * r.transpose() - Eigen::Matrix3d::Identity();
+  if (!(excess.array().abs() <= kOrthogonal).all() || !(r.determinant() > 0.0))
     file.refuse("rectification_matrix", "is not a rotation",
                 "Calibrate both cameras together, as a stereo pair");
   if (!(info.projection.data(0) > 0.0))
@@ -118,6 +118,8 @@ Eigen::Matrix3d nearestRotation(const Eigen::Matrix3d& matrix) {
   return svd.matrixU() * svd.matrixV().transpose();
 }
 
+constexpr double kLargestBaseline = 100.0;  ///< [m]
+
 StereoRig rigOf(const InfoFile& left, const InfoFile& right) {
   const Eigen::Matrix<double, 3, 4> p_left = left.info.projection.matrix(),
                                     p_right = right.info.projection.matrix();
@@ -134,6 +136,9 @@ StereoRig rigOf(const InfoFile& left, const InfoFile& right) {
         "projection_matrix",
         baseline == 0.0 ? "has no baseline" : "puts this camera to the left of the other",
         baseline == 0.0 ? "Calibrate both cameras together, as a stereo pair" : "Exchange the two cameras");
+  if (!(baseline < kLargestBaseline))
+    right.refuse("projection_matrix", "has a baseline of more than 100 m",
+                 "Calibrate both cameras together, in metres");
   if (left.info.width != right.info.width || left.info.height != right.info.height)
     right.refuse("image_width", "and image_height differ from the left camera's",
                  "Use the files of one calibration");
@@ -169,8 +174,8 @@ StereoRig parseStereoRig(const std::string& left, const std::string& right) {
 }
 
 StereoRig readStereoRig(const std::filesystem::path& left, const std::filesystem::path& right) {
-  return rigOf(readInfo(base::readTextFile(left), left.string()),
-               readInfo(base::readTextFile(right), right.string()));
+  return rigOf(readInfo(base::readYamlTextFile(left), left.string()),
+               readInfo(base::readYamlTextFile(right), right.string()));
 }
 
 std::array<std::string, 2> formatStereoRig(const StereoRig& rig) {

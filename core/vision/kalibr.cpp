@@ -28,11 +28,8 @@ class CameraReader {
     if (!(camera.fx > 0.0 && camera.fy > 0.0))
       base::refuseYaml(child("intrinsics"), at("intrinsics"), "has a focal length that is not positive",
                        "Calibrate the camera again");
-    const auto resolution = value<std::array<int, 2>>("resolution");
+    const auto resolution = value<std::array<int, 2>>("resolution", {1.0, 65536.0});
     camera.width = resolution[0], camera.height = resolution[1];
-    if (camera.width < 1 || camera.height < 1)
-      base::refuseYaml(child("resolution"), at("resolution"), "is no size of an image",
-                       "Give width and height [px]");
     if (child("distortion_model").Scalar() == "none") return camera;
     checkName("distortion_model", "radtan");
     const auto coefficients = value<std::array<double, 4>>("distortion_coeffs");
@@ -52,9 +49,9 @@ class CameraReader {
     return found;
   }
   template <class T>
-  T value(const std::string& key) const {
+  T value(const std::string& key, const base::Range& range = {-1e9, 1e9}) const {
     T read{};
-    base::detail::readInto(read, child(key), at(key), {key.c_str(), "", ""});
+    base::detail::readInto(read, child(key), at(key), {key.c_str(), "", "", range});
     return read;
   }
   void checkName(const std::string& key, const std::string& known) const {
@@ -70,7 +67,7 @@ class CameraReader {
 
 StereoRig readKalibr(const std::filesystem::path& path) {
   const std::string file = path.string();
-  const YAML::Node chain = base::parseYamlText(base::readTextFile(path), file);
+  const YAML::Node chain = base::parseYamlText(base::readYamlTextFile(path), file);
   if (!chain.IsMap() || !chain["cam0"].IsDefined())
     base::refuseYaml(chain, {file, "cam0"}, "is missing: this is no camera chain of Kalibr",
                      "Give " + rigFileKinds());

@@ -1,46 +1,56 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <opencv2/core.hpp>
 
 #include "core/base/error.h"
 #include "core/base/part_file.h"
+#include "core/base/yaml.h"
+#include "core/vision/opencv_storage.h"
 #include "core/vision/rig_file.h"
 
 namespace capstan::vision {
 namespace {
 
+constexpr int kMostNumbers = 64;        ///< of a matrix; D has at most 14
+constexpr double kLargestNumber = 1e9;  ///< of a matrix [px], [m]
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
 /// An OpenCV file. All functions throw base::InputError with the file's name.
 class OpenCvFile {
  public:
-  explicit OpenCvFile(const std::filesystem::path& path) : name_(path.string()) {
-    try {
-      storage_.open(name_, cv::FileStorage::READ);
-    } catch (const cv::Exception& error) {
-      refuse({}, {}, "cannot be read as an OpenCV file: " + error.err, "Write it again by cv::FileStorage");
-    }
-    if (!storage_.isOpened()) refuse({}, {}, "cannot be opened", "Check the path and its permissions");
+  explicit OpenCvFile(const std::filesystem::path& path)
+      : name_(path.string()), root_(parseOpenCvStorage(base::readYamlTextFile(path), name_)) {
+    if (!root_.IsMap()) refuse({}, {}, "cannot be read as an OpenCV file", "Give " + rigFileKinds());
   }
 
   const std::string& name() const { return name_; }
   [[noreturn]] void refuse(const std::string& key, const std::string& value, const std::string& reason,
                            const std::string& remedy) const {
-    throw base::InputError({name_, 0, key, value, reason, remedy});
+    const YAML::Node node = key.empty() ? root_ : root_[key];
+    throw base::InputError(
+        {name_, node.IsDefined() ? std::max(0, node.Mark().line + 1) : 0, key, value, reason, remedy});
   }
 
-  /// A matrix of numbers, as doubles in one channel.
+  /// A matrix of numbers in one channel.
   cv::Mat_<double> matrix(const std::string& key) const {
-    cv::Mat read;
-    try {
-      storage_[key] >> read;
-    } catch (const cv::Exception& error) {
-      refuse(key, {}, "is no matrix: " + error.err, "Write it as a cv::Mat");
-    }
-    if (read.empty() || read.channels() != 1 || read.dims != 2)
+    const YAML::Node node = root_[key];
+    if (!node.IsDefined() || !node.IsMap() || !node["data"].IsDefined() || !node["data"].IsSequence())
       refuse(key, {}, "is missing or no matrix", "Give " + rigFileKinds());
-    cv::Mat_<double> numbers;
-    read.convertTo(numbers, CV_64F);
-    if (!cv::checkRange(numbers)) refuse(key, {}, "has a number that is not finite", "Calibrate again");
+    const YAML::Node data = node["data"];
+    const int rows = count(node["rows"]), columns = count(node["cols"]);
+    if (rows < 1 || columns < 1 || static_cast<std::size_t>(rows * columns) != data.size())
+      refuse(key, fmt::format("{} x {}", rows, columns), fmt::format("has {} numbers", data.size()),
+             "Write it as a cv::Mat of doubles in one channel, with at most 64 numbers");
+    cv::Mat_<double> numbers(rows, columns);
+    for (int i = 0; i < rows * columns; ++i) {
+      const double value = numberOf(data[static_cast<std::size_t>(i)]);
+      if (!(std::abs(value) <= kLargestNumber))
+        refuse(key, {}, "has a number that is not finite", "Calibrate again");
+      numbers(i / columns, i % columns) = value;
+    }
     return numbers;
   }
   cv::Mat_<double> matrix(const std::string& key, int rows, int columns) const {
@@ -52,8 +62,7 @@ class OpenCvFile {
     return read;
   }
   int size(const std::string& key) const {
-    const cv::FileNode node = storage_[key];
-    const double value = node.isInt() || node.isReal() ? static_cast<double>(node) : 0.0;
+    const double value = numberOf(root_[key]);
     if (!(value >= 1.0 && value <= 65536.0))
       refuse(key, {}, "is missing or no size of an image",
              "Add image_width and image_height [px]: OpenCV's sample does not write them");
@@ -61,8 +70,20 @@ class OpenCvFile {
   }
 
  private:
+  /// The number of a node; NaN: it is none.
+  static double numberOf(const YAML::Node& node) {
+    double value = kNaN;
+    if (!node.IsDefined() || !node.IsScalar() || !YAML::convert<double>::decode(node, value)) return kNaN;
+    return value;
+  }
+  /// Number of rows or columns; 0: none that a matrix of a calibration has.
+  static int count(const YAML::Node& node) {
+    const double value = numberOf(node);
+    return value >= 1.0 && value <= kMostNumbers && value == std::floor(value) ? static_cast<int>(value) : 0;
+  }
+
   std::string name_;
-  cv::FileStorage storage_;
+  YAML::Node root_;
 };
 
 Camera cameraOf(const OpenCvFile& file, const std::string& number) {

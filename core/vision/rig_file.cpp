@@ -78,8 +78,8 @@ StereoRig sideBySide(const Camera& first, const Camera& second, const Eigen::Mat
     refuse(file, "size of the images",
            fmt::format("{} x {} and {} x {}", first.width, first.height, second.width, second.height),
            "differs between the cameras", "Set both cameras to one size and calibrate them together");
-  if ((rotation * rotation.transpose() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() > kOrthogonal ||
-      rotation.determinant() < 0.0)
+  const Eigen::Matrix3d excess = rotation * rotation.transpose() - Eigen::Matrix3d::Identity();
+  if (!(excess.array().abs() <= kOrthogonal).all() || !(rotation.determinant() > 0.0))
     refuse(file, key, {}, "has no rotation", "Calibrate both cameras together");
   const double baseline = translation.norm();
   if (!(baseline > 0.0 && baseline < kLargestBaseline))

@@ -35,6 +35,15 @@ if(CAPSTAN_SANITIZE)
   target_link_options(capstan_options INTERFACE -fsanitize=${CAPSTAN_SANITIZE})
 endif()
 
+# The fuzz targets of tests/fuzz, with clang's libFuzzer (preset fuzz). Warnings are those of GCC's builds.
+option(CAPSTAN_FUZZ "Fuzz targets; needs clang and its run-time library" OFF)
+if(CAPSTAN_FUZZ)
+  if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+    message(FATAL_ERROR "CAPSTAN_FUZZ needs clang: cmake --preset fuzz (Debian packages: clang libclang-rt-14-dev)")
+  endif()
+  target_compile_options(capstan_options INTERFACE -fsanitize=fuzzer-no-link -fno-sanitize-recover=all -w)
+endif()
+
 # A test costs more to compile than to run: what it calls is optimised in full, the test itself is not. -fPIC, which
 # Qt asks of some tests, for all of them: they share precompiled headers.
 set(CAPSTAN_TEST_OPTIONS $<$<CONFIG:Release>:-O1> -fPIC)

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -13,6 +14,7 @@
 #include "core/base/error.h"
 #include "core/base/part_file.h"
 #include "core/base/yaml.h"
+#include "core/learning/model/correction_check.h"
 
 namespace capstan::learning {
 namespace {
@@ -48,8 +50,8 @@ class Numbers {
 
   /// Throws std::out_of_range if there are fewer numbers.
   MatrixXd take(Index rows, Index columns = 1) {
+    if (columns > left() || rows > left() / std::max<Index>(columns, 1)) throw std::out_of_range("numbers");
     const std::size_t size = static_cast<std::size_t>(rows * columns) * sizeof(double);
-    if (size > bytes_.size() - at_) throw std::out_of_range("numbers");
     MatrixXd x(rows, columns);
     std::memcpy(x.data(), bytes_.data() + at_, size);
     at_ += size;
@@ -57,11 +59,14 @@ class Numbers {
   }
   double take() { return take(1)(0, 0); }
   MatrixXd takeLower(Index n) {
+    if (n > left() || n * (n + 1) / 2 > left()) throw std::out_of_range("numbers");  // before memory for them
     MatrixXd x = MatrixXd::Zero(n, n);
     for (Index c = 0; c < n; ++c) x.col(c).tail(n - c) = take(n - c);
     return x;
   }
 
+  /// Number of numbers that are not taken.
+  Index left() const { return static_cast<Index>((bytes_.size() - at_) / sizeof(double)); }
   const std::string& bytes() const { return bytes_; }
   bool allTaken() const { return at_ == bytes_.size(); }
 
@@ -119,14 +124,26 @@ T named(const Json& json) {
   return *value;
 }
 
+/// A count. A number that is none would be converted to any other.
+Index countFrom(const Json& json) {
+  constexpr std::uint64_t kMost = std::uint64_t{1} << 40U;
+  if (!json.is_number_unsigned() || json.get<std::uint64_t>() > kMost) throw std::out_of_range("a count");
+  return json.get<Index>();
+}
+
 CorrectionSource sourceFrom(const Json& json) {
-  return {json.at("files"),   json.at("checksums"), named<learning::StreamKind>(json.at("towards")),
-          json.at("lag"),     json.at("states"),    json.at("rejected"),
+  return {json.at("files"),
+          json.at("checksums"),
+          named<learning::StreamKind>(json.at("towards")),
+          json.at("lag"),
+          static_cast<std::size_t>(countFrom(json.at("states"))),
+          static_cast<std::size_t>(countFrom(json.at("rejected"))),
           json.at("software")};
 }
 
 SparseProcessParts memberFrom(const Json& json, Index features, Numbers& from) {
-  const Index inducing = json.at("inducing"), lengths = json.at("lengths"), outputs = json.at("outputs");
+  const Index inducing = countFrom(json.at("inducing")), lengths = countFrom(json.at("lengths")),
+              outputs = countFrom(json.at("outputs"));
   if (inducing < 1 || outputs < 1 || (lengths != 1 && lengths != features)) throw std::out_of_range("groups");
   SparseProcessParts member;
   member.parameters = learning::KernelParameters::unpacked(from.take(2 + lengths),
@@ -159,6 +176,20 @@ CorrectionParts partsFrom(const Json& header, Numbers& from) {
     for (const Json& member : group) parts.groups.back().push_back(memberFrom(member, features, from));
   }
   return parts;
+}
+
+/// Parses the second line; nothing for other text, and for deeply nested one, which would exhaust the stack.
+Json parsedHeader(const std::string& line) {
+  constexpr int kDeepest = 16;
+  const auto within = [](int depth, Json::parse_event_t, Json&) {
+    if (depth > kDeepest) throw std::out_of_range("depth");
+    return true;
+  };
+  try {
+    return Json::parse(line, within, false);
+  } catch (const std::out_of_range&) {
+    return {};
+  }
 }
 
 /// Returns the next line of `text` and removes it from there.
@@ -200,7 +231,7 @@ CorrectionFile readCorrection(const std::filesystem::path& path) {
   std::string text = base::readTextFile(path);
   checkVersion(lineOff(text), path);
   constexpr const char* kRemedy = "Copy the original file again, or learn the model again";
-  Json header = Json::parse(lineOff(text), nullptr, false);
+  Json header = parsedHeader(lineOff(text));
   if (!header.is_object() || !header.contains("checksum") || !header.contains("numbers"))
     refuse(path, "has a damaged second line", kRemedy);
   const Json checksum = header["checksum"];
@@ -214,6 +245,7 @@ CorrectionFile readCorrection(const std::filesystem::path& path) {
   try {
     Numbers numbers(std::move(text));
     CorrectionParts parts = partsFrom(header, numbers);
+    checkParts(parts);
     if (!numbers.allTaken()) refuse(path, "holds more numbers than its model has", kRemedy);
     return {learning::CorrectionModel(std::move(parts)), sourceFrom(header.at("source"))};
   } catch (const Json::exception& error) {

@@ -109,8 +109,9 @@ void checkRelated(const std::vector<PoseMotion>& motions, const std::vector<Stat
   std::map<std::string, std::vector<State>> tables;
   for (const State& state : states) tables[motions[state.motion].table].push_back(state);
   const double size = sizeOf(states), rotation = leftOf(states, offset).rotation;
-  for (const auto& [table, some] : tables)
-    base::namingFile(table, [&] {
+  for (const auto& entry : tables)
+    base::namingFile(entry.first, [&] {
+      const std::vector<State>& some = entry.second;
       const Left left = leftOf(some, offset);
       checkDistance(some, left.distance, size, towards);
       checkRotation(left.rotation, rotation);

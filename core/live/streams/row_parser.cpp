@@ -58,6 +58,7 @@ std::optional<MeasuredTable> RowParser::take(bool ended) {
     recording::readColumnsAs(table, robot_, read_as_);
   else
     recording::settleUnits(table, robot_, read_as_);
+  recording::checkTimeRange(table);
   units_settled_ = true;
   table.lines.first = static_cast<int>(lines_) + 1;
   pending_.erase(0, complete);

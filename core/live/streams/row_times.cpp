@@ -1,6 +1,8 @@
 #include "core/live/streams/row_times.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace capstan::live {
 

@@ -102,6 +102,7 @@ TEST(RowParser, TakesNoHarmFromMutatedStreams) {
   const auto below = [&](std::size_t n) {
     return std::uniform_int_distribution<std::size_t>(0, n - 1)(random);
   };
+  const robot::Description robot = robot::readDescriptionOrDefault({});
   int refused = 0, taken = 0;
   for (int k = 0; k < 10000; ++k) {
     std::string bytes = whole;
@@ -119,7 +120,7 @@ TEST(RowParser, TakesNoHarmFromMutatedStreams) {
           bytes.erase(below(bytes.size()), below(50));
           if (bytes.empty()) bytes = "t";
       }
-    RowParser parser("stranger", robot::readDescriptionOrDefault({}), {});
+    RowParser parser("stranger", robot, {});
     try {
       for (std::size_t at = 0; at < bytes.size(); at += 100) {
         parser.add(std::string_view(bytes).substr(at, 100));
@@ -135,6 +136,24 @@ TEST(RowParser, TakesNoHarmFromMutatedStreams) {
   }
   EXPECT_GT(refused, 2000);
   EXPECT_GT(taken, 2000);
+}
+
+TEST(RowTimes, RiseAlsoWhereTheDifferenceOfTwoClocksRounds) {
+  RowTimes times;
+  double last = -1.0, arrival = 0.0;
+  for (const double stamp :
+       {9.87654321e9, 0.1, 0.1 + 1e-9, 0.1 + 2e-9, -9.9e9, -9.9e9 + 2e-6, 1e10, 3.0, 3.0 + 1e-12}) {
+    const auto time = times.of(stamp, arrival += 1e-9);
+    if (!time) continue;
+    EXPECT_GT(*time, last) << stamp;
+    last = *time;
+  }
+}
+
+TEST(RowParser, RefusesTimesBeyondTheRangeOfClocks) {
+  RowParser parser("rows", robot::defaultDescription(), {});
+  parser.add("t,q_m1,q_m2,q_m3\n1e300,1,2,3\n");
+  EXPECT_THROW(parser.take(true), base::InputError);
 }
 
 TEST(RowTimes, GoOnWhereTheRowsClockSteps) {

@@ -137,6 +137,38 @@ struct Matrices {
   }
 };
 
+TEST_F(RigFile,
+       HugeNumbersAreNoRotation) {  // their products are not finite, and no comparison with these held
+  EXPECT_THAT(errorOf(chainWith("[0.0, 0.0, 1.0, -0.048]", "[1e8, 1e8, -1e8, -0.048]")),
+              HasSubstr("has no rotation"));
+  EXPECT_THAT(errorOf(chainWith("[0.0, 0.0, 1.0, -0.048]", "[1e200, 1e200, 1e200, -0.048]")),
+              HasSubstr("outside the allowed range"));
+  EXPECT_THAT(errorOf(chainWith("[640, 480]", "[1e300, 480]")),
+              HasSubstr("cam0.resolution[0] = 1e300: is outside"));
+}
+
+TEST_F(RigFile, NestedOpenCvFilesAreRefused) {  // they exhaust the stack of cv::FileStorage
+  for (const char* name : {"rig.json", "rig.xml", "rig.yml"}) {
+    const std::string text = std::string(name) == "rig.json" ? "{\"M1\": " + std::string(200'000, '[')
+                             : std::string(name) == "rig.xml"
+                                 ? "<?xml version=\"1.0\"?><opencv_storage>"
+                                 : "%YAML:1.0\n---\nM1: " + std::string(200'000, '[');
+    std::string tags;
+    for (int i = 0; i < 100'000 && std::string(name) == "rig.xml"; ++i) tags += "<a>";
+    EXPECT_THAT(errorOf(write(name, text + tags)), HasSubstr(name)) << name;
+  }
+}
+
+TEST_F(RigFile, AnOpenCvMatrixHasTheNumbersThatItStates) {  // memory for 80 GB was asked for
+  const auto matrix = [](const std::string& size, const std::string& data) {
+    return "%YAML:1.0\n---\nimage_width: 640\nimage_height: 480\nM1: !!opencv-matrix\n   rows: " + size +
+           "\n   cols: " + size + "\n   dt: d\n   data: [ " + data + " ]\n";
+  };
+  EXPECT_THAT(errorOf(write("huge.yml", matrix("100000", "1."))), HasSubstr("M1 = 0 x 0: has 1 numbers"));
+  EXPECT_THAT(errorOf(write("nan.yml", matrix("1", ".Nan"))),
+              HasSubstr("M1: has a number that is not finite"));
+}
+
 TEST_F(RigFile, OpenCvFilesOfOneAndOfTwoParts) {
   const Matrices cv_rig(testRig());
   cv::Mat axis;
