@@ -10,6 +10,7 @@
 
 #include "core/diagnosis/fit/input_noise.h"
 #include "core/diagnosis/selection/optimism.h"
+#include "core/diagnosis/selection/set_prior.h"
 
 namespace capstan::diagnosis {
 namespace {
@@ -386,18 +387,6 @@ class Search {
 };
 
 }  // namespace
-
-double logPrior(const SetFit& set, int candidates, double instants) {
-  return logPrior(set.effects, candidates, instants) + set.fit.model.logPrior(set.fit.u);
-}
-
-double logPrior(const EffectSet& effects, int candidates, double instants) {
-  double prior = logPrior(effects.size(), candidates);
-  for (const EffectCandidate& effect : effects)
-    for (const robot::EffectParameter& parameter : effect.hypothesis->facts->parameters)
-      if (isEventTime(parameter)) prior -= std::log(instants);
-  return prior;
-}
 
 SearchResult searchSets(const FitData& data, const std::vector<Evidence>& recordings, const FitModel& nominal,
                         const Fit* start, const SearchOptions& options, base::Progress* progress) {

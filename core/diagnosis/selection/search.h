@@ -48,11 +48,4 @@ inline constexpr double kMostWork = 2e9;
 SearchResult searchSets(const FitData& data, const std::vector<Evidence>& recordings, const FitModel& nominal,
                         const Fit* start, const SearchOptions& options, base::Progress* progress);
 
-/// Log prior of the set and of the instants of its effects that happen once: such an effect may have happened
-/// in any of the `instants` that score tests try.
-double logPrior(const EffectSet& effects, int candidates, double instants);
-/// The same with the log prior of the fitted values (FitModel::logPrior()): masses, friction and effects that
-/// are far from usual need more evidence.
-double logPrior(const SetFit& set, int candidates, double instants);
-
 }  // namespace capstan::diagnosis

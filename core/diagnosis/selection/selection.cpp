@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/diagnosis/selection/optimism.h"
+#include "core/diagnosis/selection/set_prior.h"
 
 namespace capstan::diagnosis {
 namespace {

@@ -1,8 +1,6 @@
 #include "core/live/streams/row_times.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace capstan::live {
 
