@@ -35,6 +35,13 @@ bool fits(const StoredRow& row, const Table& table, bool checked) {
   return true;
 }
 
+/// An entry of the header with a key; a registration that readers accept.
+bool possibleEntry(const StoredRow& row) {
+  const auto* key = std::get_if<std::string>(&row.values[0]);
+  const auto* value = std::get_if<std::string>(&row.values[1]);
+  return key && (*key != "registration" || !value || value->empty() || parsePose(*value));
+}
+
 /// Whether the values are possible, which no check sum of a file from a stranger, and none at all in version
 /// 1, ensures.
 bool possible(const StoredRow& row, const Table& table) {
@@ -42,7 +49,7 @@ bool possible(const StoredRow& row, const Table& table) {
     const auto* value = std::get_if<std::int64_t>(&row.values[column]);
     return value ? *value : -1;
   };
-  if (&table == &headerTable()) return std::holds_alternative<std::string>(row.values[0]);
+  if (&table == &headerTable()) return possibleEntry(row);
   if (&table == &dictionaryTable()) return true;
   if (integer(0) < 0 || integer(0) > kMostRows) return false;  // seq, or the id of a codec
   if (&table == &recording::table(kFrameTable)) return isFrameSize(integer(4), integer(5));

@@ -137,6 +137,16 @@ TEST_F(HostileSession,
   EXPECT_EQ(faultOf(to), "");
 }
 
+TEST_F(HostileSession, ARecoveredSessionHasNoDamagedRegistration) {  // and could not be opened
+  makeOld();
+  run("INSERT INTO header VALUES ('registration', '-0 -1 -0 -0.06 -0 0 1 -0.55 -1 0 -0 0.02X9 0 0 0 1')");
+  const auto to = folder_ / "new.capstan";
+  const Recovery recovery = recoverSession(path_, to);
+  EXPECT_THAT(recovery.lost_header, ::testing::Contains("registration"));
+  EXPECT_FALSE(recovery.complete());
+  EXPECT_EQ(faultOf(to), "");
+}
+
 TEST_F(HostileSession, NumbersOfRowsHaveALimit) {
   EXPECT_FALSE(parseRowCounts(
       "motor 9223372036854775807, joint 9223372036854775807, tip 0, frame 0, estimate 0, event 0"));
