@@ -1,7 +1,6 @@
 // live_window SETUP --out estimates.csv --json report.json [--record FOLDER]: the window with a live set-up,
 // for live_study.py. It runs, and records, until its standard input ends. What the status line says goes to
 // standard error. Run it in a display (xvfb-run).
-#include <sys/resource.h>
 
 #include <CLI/CLI.hpp>
 #include <QApplication>
@@ -15,6 +14,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/tracking/side_watch.h"
+#include "tests/support/process_use.h"
 #include "widgets/shell/main_window.h"
 #include "widgets/shell/session_bar.h"
 
@@ -84,13 +84,6 @@ nlohmann::json documentOf(const std::vector<tracking::SideStatus>& sides) {
   return all;
 }
 
-double processorTime() {
-  rusage used{};
-  ::getrusage(RUSAGE_SELF, &used);
-  const auto seconds = [](const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 * t.tv_usec; };
-  return seconds(used.ru_utime) + seconds(used.ru_stime);
-}
-
 void say(const std::string& sentence) { std::fprintf(stderr, "%s\n", sentence.c_str()); }
 
 struct Options {
@@ -100,7 +93,7 @@ struct Options {
 /// Ends the session and writes what it has given.
 void finish(MainWindow& window, const Estimates& estimates, const Options& options) {
   live::Runner* runner = window.link().runner();
-  nlohmann::json document = {{"processor", processorTime()}};
+  nlohmann::json document = {{"processor", test::processorSeconds()}};
   if (runner) {
     runner->pause();
     runner->waitUntilIdle(5.0);

@@ -2,28 +2,18 @@
 // port of loopback and tracks what comes. After each of them a robot sends valid rows. Prints what came of
 // the streams, and memory and open files before and after. Exit code 1 if the side ended, a fault was not
 // named, rows of the robot were not taken, the session's clock went back, or memory grew by more than 8 MB.
-#include <malloc.h>
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 
 #include "tests/support/attacked_side.h"
+#include "tests/support/process_use.h"
 
 namespace {
 
 using namespace capstan::testing;
-
-double residentMegabytes() {
-  ::malloc_trim(0);
-  std::ifstream file("/proc/self/statm");
-  double whole = 0.0, resident = 0.0;
-  file >> whole >> resident;
-  return resident * static_cast<double>(::sysconf(_SC_PAGESIZE)) / 1e6;
-}
+using capstan::test::residentMegabytes;
 
 std::ptrdiff_t openFiles() {
   return std::distance(std::filesystem::directory_iterator("/proc/self/fd"),

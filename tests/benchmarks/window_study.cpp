@@ -2,6 +2,8 @@
 // 2 × 30 frames per second, 1 kHz motors, recording, the scene, plots with as many points a curve. Frame
 // rate, time between frames, input to paint, samples lost, time by thread; then the memory over cycles of
 // opening a recording and closing it, and over running.
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <QApplication>
 #include <QDockWidget>
@@ -11,18 +13,15 @@
 #include <QWheelEvent>
 #include <QtTest/QTest>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <map>
 #include <sstream>
 
-#include <malloc.h>
-#include <unistd.h>
-
-#include <filesystem>
-
 #include "core/simulation/simulation_request.h"
 #include "core/stats/quantile.h"
 #include "tests/support/folders.h"
+#include "tests/support/process_use.h"
 #include "widgets/figures/joint_figure.h"
 #include "widgets/shell/main_window.h"
 #include "widgets/shell/session_bar.h"
@@ -32,6 +31,7 @@ namespace {
 
 using namespace capstan;
 using namespace capstan::widgets;
+using test::residentMegabytes;
 
 /// Notes when the cameras' view has been painted, and how long after an input the figure was.
 class Watch : public QApplication {
@@ -74,14 +74,6 @@ class Watch : public QApplication {
   std::map<std::string, double> busy;             ///< of the window's thread, by receiver and event [s]
   std::vector<double> intervals, input_to_paint;  // [ms]
 };
-
-double residentMegabytes() {
-  ::malloc_trim(0);
-  std::ifstream file("/proc/self/statm");
-  double whole = 0.0, resident = 0.0;
-  file >> whole >> resident;
-  return resident * static_cast<double>(::sysconf(_SC_PAGESIZE)) / 1e6;
-}
 
 /// Processor time of every thread of this process, by its name [s].
 std::map<std::string, double> threadTimes() {

@@ -1,7 +1,6 @@
 /// monitor_session --feed NAME --seconds S [--occlude PERCENT] [--size WxH] [--speed X] [--no-feed]: a
 /// simulated session that feeds stereo monitors, without a window. Prints what it did as JSON: for tests and
 /// benchmarks of the monitor.
-#include <sys/resource.h>
 
 #include <CLI/CLI.hpp>
 #include <chrono>
@@ -14,20 +13,11 @@
 #include "core/live/runner.h"
 #include "core/simulation/simulation_request.h"
 #include "core/tracking/make_pipeline.h"
+#include "tests/support/process_use.h"
 
 namespace {
 
 using namespace capstan;
-
-/// Computing time of this process so far [s].
-double cpuSeconds() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  const auto seconds = [](const timeval& t) {
-    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
-  };
-  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
-}
 
 int run(int argc, char** argv) {
   std::string feed = "test", trajectory = "fls";
@@ -68,7 +58,7 @@ int run(int argc, char** argv) {
       {"wall", wall.count()},
       {"motor_samples", report.motor_samples},
       {"frames", report.frames},
-      {"cpu", cpuSeconds()},
+      {"cpu", test::processorSeconds()},
       {"samples_per_second", static_cast<double>(report.motor_samples) / wall.count()}};
   std::puts(out.dump().c_str());
   return status.error.empty() ? 0 : 1;

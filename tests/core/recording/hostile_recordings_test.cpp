@@ -7,21 +7,13 @@
 #include "core/recording/pose_table.h"
 #include "core/recording/read_table.h"
 #include "tests/core/recording/session_samples.h"
+#include "tests/support/error_of.h"
 
 namespace capstan::recording {
 namespace {
 
+using test::errorOf;
 using ::testing::HasSubstr;
-
-template <class Work>
-std::string errorOf(Work&& work) {
-  try {
-    work();
-  } catch (const base::InputError& error) {
-    return error.what();
-  }
-  return {};
-}
 
 TEST(HostileTable,
      AColumnOfPosesIsGivenOnce) {  // twice traj was read as twice the rows, beyond the other columns

@@ -9,22 +9,14 @@
 #include "core/ros1/image_message.h"
 #include "core/ros1/raven_state.h"
 #include "core/ros1/session_text.h"
+#include "tests/support/error_of.h"
 #include "tests/support/folders.h"
 
 namespace capstan::ros1 {
 namespace {
 
+using test::errorOf;
 using ::testing::HasSubstr;
-
-template <class Work>
-std::string errorOf(Work&& work) {
-  try {
-    work();
-  } catch (const std::exception& error) {
-    return error.what();
-  }
-  return {};
-}
 
 std::string definitionWith(const std::string& from, const std::string& to) {
   std::string text = RavenStateLayout::kDefinition;
@@ -34,11 +26,11 @@ std::string definitionWith(const std::string& from, const std::string& to) {
 TEST(HostileBag, LengthsOfARavenStateAreLengths) {  // a negative one let values be read before the message
   for (const char* length : {"int32[-40] pos", "int64[2305843009213693951] pos",
                              "int32[99999999999999999999] pos", "int32[6 pos", "int32[x] pos"})
-    EXPECT_THAT(errorOf([&] { RavenStateLayout(definitionWith("int32[6] pos", length)); }),
+    EXPECT_THAT(errorOf<std::exception>([&] { RavenStateLayout(definitionWith("int32[6] pos", length)); }),
                 HasSubstr("has a variable length"))
         << length;
   const RavenStateLayout layout(RavenStateLayout::kDefinition);
-  EXPECT_THAT(errorOf([&] { layout.read(Bytes(100, 0xff)); }), HasSubstr("ends too early"));
+  EXPECT_THAT(errorOf<std::exception>([&] { layout.read(Bytes(100, 0xff)); }), HasSubstr("ends too early"));
 }
 
 /// A PNG image of this size, without its data.
@@ -63,32 +55,33 @@ TEST(HostileBag, CompressedImagesStateTheirSize) {
 TEST(HostileBag, ImagesOfABillionPixelsAreNotDecoded) {
   CompressedImage image;
   image.data = pngOf(30000, 30000);
-  EXPECT_THAT(errorOf([&] { imageOf(image); }),
+  EXPECT_THAT(errorOf<std::exception>([&] { imageOf(image); }),
               HasSubstr("data = 30000 x 30000 pixels: are too many for an image"));
   image.data = {'I', 'I', '*', 0};  // TIFF: OpenCV has many more readers
-  EXPECT_THAT(errorOf([&] { imageOf(image); }), HasSubstr("are no image"));
+  EXPECT_THAT(errorOf<std::exception>([&] { imageOf(image); }), HasSubstr("are no image"));
   Image raw;
   raw.encoding = "mono8";
   raw.width = raw.height = raw.step = 65536;
-  EXPECT_THAT(errorOf([&] { imageOf(raw); }), HasSubstr("do not hold 65536 x 65536 pixels"));
+  EXPECT_THAT(errorOf<std::exception>([&] { imageOf(raw); }), HasSubstr("do not hold 65536 x 65536 pixels"));
 }
 
 TEST(HostileBag, AChunkStatesNoSizeThatItCannotHave) {
-  EXPECT_THAT(errorOf([] { uncompressed(Bytes(100, 0), "lz4", 1U << 28U); }),
+  EXPECT_THAT(errorOf<std::exception>([] { uncompressed(Bytes(100, 0), "lz4", 1U << 28U); }),
               HasSubstr("states a wrong size"));
-  EXPECT_THAT(errorOf([] { uncompressed(Bytes(100, 0), "bz2", 1000); }), HasSubstr("cannot be uncompressed"));
+  EXPECT_THAT(errorOf<std::exception>([] { uncompressed(Bytes(100, 0), "bz2", 1000); }),
+              HasSubstr("cannot be uncompressed"));
 }
 
 TEST(HostileBag, ASessionsTextHasPossibleNumbers) {
   const std::string text = "title: a\nrobot: b\nbegin: 0\nduration: 1\nepoch: ";
-  EXPECT_THAT(errorOf([&] { parseSessionText(text + "4294967295\n", "trial.bag"); }),
+  EXPECT_THAT(errorOf<std::exception>([&] { parseSessionText(text + "4294967295\n", "trial.bag"); }),
               HasSubstr("outside the allowed range"));
   SessionText scaled;
   scaled.base_from_camera = 2.0 * Eigen::Matrix4d::Identity();
   scaled.robot =
       robot::formatDescription(robot::readDescription(test::resourceFile("robots/raven2_left.yaml")));
   tracking::SourceInfo info;
-  EXPECT_THAT(errorOf([&] { takeSessionText(scaled, "trial.bag", info); }),
+  EXPECT_THAT(errorOf<std::exception>([&] { takeSessionText(scaled, "trial.bag", info); }),
               HasSubstr("base_from_camera: is no rigid transform"));
 }
 
