@@ -305,6 +305,7 @@ class Recorder::Impl {
       stats_.lost = queued - std::min(queued, stats_.written);
       stats_.lost_time = stats_.lost > 0 ? lost_time : 0.0;
       takeSpace(space());
+      stats_.time_left = 0.0;  // of a file that does not grow any more
     }
     std::error_code fault;
     if (!std::filesystem::exists(path_, fault)) return report(fmt::format("{}. {}", reason, advice));
