@@ -67,6 +67,8 @@ StudyReport reportOf(const MonteCarloStudy& study, const MonteCarloOptions& opti
 }
 
 ExitCode run(MonteCarloOptions& options, const StudyArguments& arguments) {
+  if (options.truth.empty()) options.truth = base::resource("truth/laboratory.yaml");
+  options.trajectory = base::resource("experiments/fls.yaml");
   checkStudyOutputs(arguments, "monte-carlo", {}, {options.truth});
   options.out = arguments.out;
   return runStudy(
@@ -82,8 +84,6 @@ ExitCode run(MonteCarloOptions& options, const StudyArguments& arguments) {
 CLI::App* addNamed(CLI::App& study, const char* name, ExitCode& exit) {
   auto options = std::make_shared<MonteCarloOptions>();
   auto arguments = std::make_shared<StudyArguments>();
-  options->truth = base::resource("truth/laboratory.yaml");
-  options->trajectory = base::resource("experiments/fls.yaml");
   options->software = base::software();
   CLI::App* command =
       study.add_subcommand(name, "Coverage and error of identified parameters over randomized robots");
@@ -99,7 +99,8 @@ CLI::App* addNamed(CLI::App& study, const char* name, ExitCode& exit) {
       ->capture_default_str();
   command
       ->add_option("--truth", options->truth,
-                   "truth file whose parameters are the centre of the distribution of random robots")
+                   "truth file whose parameters are the centre of the distribution of random robots; by "
+                   "default truth/laboratory.yaml of the program's resources")
       ->check(CLI::ExistingFile);
   command->add_option("--pixel-sigma", options->pixel_sigma, "standard deviation of a marker's position [px]")
       ->capture_default_str()

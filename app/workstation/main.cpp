@@ -11,6 +11,7 @@
 #include "app/numbers.h"
 #include "app/version.h"
 #include "app/workstation/arguments.h"
+#include "app/workstation/closing_signals.h"
 #include "core/math/dense.h"
 #include "widgets/scene/vtk_version.h"
 #include "widgets/shell/estimate_publisher.h"
@@ -95,6 +96,7 @@ int run(int argc, char** argv) {
     return 2;
   }
   QApplication application(argc, argv);
+  capstan::workstation::closeOnSignals(application);
   const bool image = !arguments.image.empty();
   capstan::widgets::MainWindow window(image ? QString("/dev/null") : QString());
   if (!arguments.theme.empty()) window.setThemeNamed(QString::fromStdString(arguments.theme));

@@ -46,6 +46,8 @@ std::string readTextFile(const std::filesystem::path& path, std::uint64_t most) 
   std::ifstream in(path, std::ios::binary);
   if (!in || std::filesystem::is_directory(path))
     throw InputError({path.string(), 0, {}, {}, "cannot be opened", "Check the path and its permissions"});
+  if (std::filesystem::is_character_file(path) || std::filesystem::is_block_file(path))
+    throw InputError({path.string(), 0, {}, {}, "is a device, not a file", "Give the path of a file"});
   constexpr std::size_t kPiece = 1U << 16;
   std::string text;
   while (in) {

@@ -57,5 +57,21 @@ TEST(Window, APictureOfWhatCannotBeOpenedFails) {
   EXPECT_FALSE(std::filesystem::exists(picture));
 }
 
+TEST(Window, ATerminationSignalClosesItAsAPersonWould) {
+  const std::string feed = "closing-" + std::to_string(getpid());
+  const std::string segment = "/dev/shm/capstan-" + std::to_string(geteuid()) + "-" + feed;
+  const std::string script = "'" + kWindow + " --simulate --size 1280x800 --monitor-feed " + feed +
+                             " & window=$!; i=0; while [ ! -e " + segment +
+                             " ] && [ $i -lt 600 ]; do sleep 0.1; i=$((i+1)); done; "
+                             "[ -e " +
+                             segment +
+                             " ] || echo no segment; "
+                             "kill -TERM $window; wait $window; echo exit $?'";
+  const Ran result = run("xvfb-run -a -s '-screen 0 1280x800x24 -noreset' sh -c " + script);
+  EXPECT_EQ(result.said.find("no segment"), std::string::npos) << result.said;
+  EXPECT_NE(result.said.find("exit 0"), std::string::npos) << result.said;
+  EXPECT_FALSE(std::filesystem::exists(segment));
+}
+
 }  // namespace
 }  // namespace capstan

@@ -65,6 +65,15 @@ TEST(HostileYaml, LengthIsLimitedBeforeReadingOn) {
   EXPECT_THROW(readYamlTextFile("/dev/zero"), InputError);  // without end
 }
 
+TEST(HostileYaml, ADeviceIsNotReadWithoutEnd) {
+  try {
+    readTextFile("/dev/zero");
+    FAIL() << "/dev/zero was read";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), AllOf(StartsWith("/dev/zero"), HasSubstr("is a device, not a file")));
+  }
+}
+
 TEST(HostileYaml, AKeyThatIsGivenTwiceIsRefused) {  // the first value counted, whatever the second was
   EXPECT_THAT(errorOf("mass: 1\nname: x\nmass: 2\n"),
               AllOf(StartsWith("robot.yaml:3: mass: is given twice"), HasSubstr("Remove one")));
