@@ -7,24 +7,25 @@
 #include "core/diagnosis/evidence/smooth_readings.h"
 #include "core/diagnosis/fit/start_of_motion.h"
 #include "core/robot/chain/chain_state.h"
-#include "core/robot/chain/chain_step.h"
 
 namespace capstan::diagnosis {
 namespace {
 
 using robot::kChainLanes;
 
-constexpr double kLongestStep = 1e-3;        // largest integration step [s]
-constexpr double kLongestFreeStep = 0.5e-3;  // the same for rigid drives, whose errors accumulate [s]
-constexpr double kContactStep = 0.25e-3;     // the same where contacts open, cables yield or joints stick [s]
-constexpr double kStartStep = 0.125e-3;      // the same at a start: joints at rest against moving motors [s]
-constexpr double kStarting = 0.15;           // duration of a start [s]
-constexpr double kSticking = 0.5;            // Stribeck excess above which a joint sticks and slips
-constexpr double kFastestTurn = 0.7;         // largest phase of the fastest oscillation per step [rad]
-constexpr int kMostSteps = 80;               // largest number of integration steps per row
-constexpr double kOutputStep = 5e-3;         // time between outputs of the simulation kernel [s]
-constexpr double kAfterRestart = 0.12;       // time after a restart in which cameras are not compared: a late
-                                             // observation may show the time before the restart [s]
+constexpr double kLongestStep = 1e-3;         // largest integration step [s]
+constexpr double kShortestFreeStep = 0.5e-3;  // least step of rigid drives without contacts [s]
+constexpr double kStepError = 0.1;        // RMS change of a rigid drive's readings with half the step, of the
+                                          // noise: below it the longer step is short enough
+constexpr double kContactStep = 0.25e-3;  // the same where contacts open, cables yield or joints stick [s]
+constexpr double kStartStep = 0.125e-3;   // the same at a start: joints at rest against moving motors [s]
+constexpr double kStarting = 0.15;        // duration of a start [s]
+constexpr double kSticking = 0.5;         // Stribeck excess above which a joint sticks and slips
+constexpr double kFastestTurn = 0.7;      // largest phase of the fastest oscillation per step [rad]
+constexpr int kMostSteps = 80;            // largest number of integration steps per row
+constexpr double kOutputStep = 5e-3;      // time between outputs of the simulation kernel [s]
+constexpr double kAfterRestart = 0.12;    // time after a restart in which cameras are not compared: a late
+                                          // observation may show the time before the restart [s]
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
 /// Noise of one joint's channel; zero if none was estimated.
@@ -90,6 +91,45 @@ ChainSimulation::ChainSimulation(const Evidence& evidence, const robot::Descript
   findWindows(evidence.drive == DriveKind::kRigid ? horizon : 0.0);
   findInitialStates(robot);
   findSamples(robot);
+  if (evidence.drive == DriveKind::kRigid) findFreeSteps(robot);
+}
+
+void ChainSimulation::findFreeSteps(const robot::Description& robot) {
+  const robot::ChainModel nominal(robot);
+  const auto readingsWith = [&](int steps) {
+    free_steps_ = steps;
+    Eigen::MatrixXd readings(compared_.measured.size(), 1);
+    const Robot one{&nominal};
+    simulate({&one, 1}, readings);
+    return readings;
+  };
+  const int most = std::max(1, static_cast<int>(std::ceil(evidence_.step / kShortestFreeStep - 1e-9)));
+  Eigen::MatrixXd coarse = readingsWith(1);
+  for (int steps = 1; steps < most; steps *= 2) {
+    Eigen::MatrixXd fine = readingsWith(2 * steps);
+    if (largestChange(coarse, fine) < kStepError) {
+      free_steps_ = steps;
+      return;
+    }
+    coarse.swap(fine);
+  }
+  free_steps_ = most;
+}
+
+double ChainSimulation::largestChange(const Eigen::MatrixXd& from, const Eigen::MatrixXd& to) const {
+  std::vector<double> squares(compared_.channels.size()), count(compared_.channels.size());
+  for (std::size_t i = 0; i < compared_.channel.size(); ++i) {
+    const auto c = static_cast<std::size_t>(compared_.channel[i]);
+    const auto at = static_cast<Eigen::Index>(i);
+    squares[c] += std::pow((to(at, 0) - from(at, 0)) / compared_.channels[c].noise, 2);
+    count[c] += 1.0;
+  }
+  double largest = 0.0;
+  for (std::size_t c = 0; c < squares.size(); ++c) {
+    if (std::isnan(squares[c])) return squares[c];
+    if (count[c] > 0.0) largest = std::max(largest, squares[c] / count[c]);
+  }
+  return std::sqrt(largest);
 }
 
 void ChainSimulation::findWindows(double horizon) {
@@ -196,7 +236,7 @@ robot::ChainShape ChainSimulation::shapeOf(std::span<const Robot> robots) const 
 }
 
 int ChainSimulation::stepsFor(const robot::ChainModel& model) const {
-  double rate = 1.0 / (model.shape.rigid ? kLongestFreeStep : kLongestStep);
+  double rate = model.shape.rigid ? free_steps_ / evidence_.step : 1.0 / kLongestStep;
   for (int j = 0; j < joints_; ++j)
     if (isRough(model, j)) rate = 1.0 / kContactStep;
   for (const double share : {-0.5, 0.0, 0.5}) {
@@ -354,44 +394,6 @@ robot::ChainInput ChainSimulation::inputAt(std::size_t row, std::size_t next) co
     input.signed_load[j] = rows_.signed_load[j] ? rows_.signed_load[j][row] : input.load[j];
   }
   return input;
-}
-
-SimulatedMotion ChainSimulation::motion(const robot::ChainModel& model) const {
-  const auto n = static_cast<std::size_t>(joints_);
-  SimulatedMotion motion;
-  for (Columns* columns : {&motion.q, &motion.dq, &motion.ddq, &motion.tau, &motion.stretch})
-    columns->assign(n, std::vector<double>(evidence_.rows(), 0.0));
-  const int steps = stepsFor(model);
-  robot::ChainStep<double> step(model.shape, model.numbers);
-  std::size_t w = 0;
-  for (const Segment& segment : evidence_.segments) {
-    while (w + 1 < windows_.size() && windows_[w].begin < segment.begin) ++w;
-    robot::ChainState<double> state = initialState(model, nullptr, w);
-    const std::size_t started =
-        segment.begin + startingOutputs({segment.begin, segment.end}) * static_cast<std::size_t>(stride_);
-    for (std::size_t k = segment.begin; k < segment.end; ++k) {
-      const std::size_t next = std::min(k + 1, segment.end - 1);
-      const robot::ChainInput input = inputAt(k, next);
-      step.look(input, state);
-      for (std::size_t j = 0; j < n; ++j) {
-        motion.q[j][k] = state.q[j];
-        motion.dq[j][k] = state.dq[j];
-        motion.ddq[j][k] = step.acceleration()[j];
-        motion.tau[j][k] = step.torque()[j];
-        motion.stretch[j][k] = step.stretch()[j];
-      }
-      if (next > k) step.advance(input, k < started ? std::max(steps, startingSteps()) : steps, state);
-    }
-  }
-  if (evidence_.hasCameras()) {
-    for (const TipObservation& observation : evidence_.tip) {
-      const double row = std::max(observation.row - model.camera.delay / evidence_.step, 0.0);
-      robot::JointVector q(joints_);
-      for (int j = 0; j < joints_; ++j) q[j] = Evidence::at(motion.q[static_cast<std::size_t>(j)], row);
-      motion.tip.push_back(model.camera.measure(chain_.marker(q)));
-    }
-  }
-  return motion;
 }
 
 }  // namespace capstan::diagnosis

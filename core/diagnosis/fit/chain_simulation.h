@@ -88,6 +88,11 @@ class ChainSimulation {
   void findWindows(double horizon);
   void findInitialStates(const robot::Description& robot);
   void findSamples(const robot::Description& robot);
+  /// Chooses the integration steps per row of rigid drives: as few as change the readings of the nominal
+  /// robot by little (kStepError), and not more than steps of kShortestFreeStep.
+  void findFreeSteps(const robot::Description& robot);
+  /// Largest RMS change of a channel, in units of its noise; NaN if a simulation diverged.
+  double largestChange(const Eigen::MatrixXd& from, const Eigen::MatrixXd& to) const;
   robot::ChainShape shapeOf(std::span<const Robot> robots) const;
   robot::ChainInput inputAt(std::size_t row, std::size_t next) const;
   robot::ChainState<double> initialState(const robot::ChainModel& model, const Eigen::MatrixXd* beyond,
@@ -119,6 +124,7 @@ class ChainSimulation {
   robot::Chain chain_;
   int joints_;
   int stride_ = 1;
+  int free_steps_ = 1;  ///< integration steps per row of a rigid drive without contacts
   std::vector<Window> windows_;
   Eigen::MatrixXd initial_;
   Compared compared_;

@@ -8,9 +8,13 @@
 #include <string>
 #include <vector>
 
+#include "core/diagnosis/evidence/read_evidence.h"
 #include "core/diagnosis/fit/fit_model.h"
 #include "core/diagnosis/hypotheses/joint_scales.h"
+#include "core/diagnosis/selection/horizons.h"
 #include "tests/core/diagnosis/planted_evidence.h"
+#include "tests/support/folders.h"
+#include "tests/support/planted/planted_case.h"
 
 namespace capstan::diagnosis {
 namespace {
@@ -74,6 +78,42 @@ TEST(ChainSimulation, StiffCablesNeedNoMoreSteps) {
   const ChainSimulation simulation(planted.evidence[0], planted.robot, 0.0);
   EXPECT_EQ(simulation.stepsFor(robot::ChainModel(stiffer(planted.robot, 30.0))),
             simulation.stepsFor(robot::ChainModel(planted.robot)));
+}
+
+/// A rigid arm whose encoders have counts of so many radians, in rows 2 ms apart.
+struct RigidArm {
+  robot::Description robot =
+      robot::readDescription(test::sourceFile("tests/support/planted/data/rigid_arm.yaml"));
+  std::vector<Evidence> evidence;
+
+  explicit RigidArm(double count) {
+    robot.drive = robot::DriveType::kRigid;
+    test::DrawOptions options;
+    options.robot = robot;
+    options.rigid = true;
+    options.effects = 0;
+    options.textured = false;
+    options.sensors.row_period = 2;
+    options.sensors.turn_count = options.sensors.slide_count = count;
+    options.duration = 6.0;
+    evidence.push_back(evidenceOf(test::record(test::draw(31, options)).table, robot));
+  }
+};
+
+TEST(ChainSimulation, RigidDrivesGetTheStepsThatTheirEncodersCanSee) {
+  int before = 0;
+  for (const double count : {1e-2, 1e-6}) {
+    const RigidArm arm(count);
+    const ChainSimulation simulation(arm.evidence[0], arm.robot, kHorizons[1]);
+    const robot::ChainModel model(arm.robot);
+    const int steps = simulation.stepsFor(model);
+    EXPECT_GT(steps, before) << count;
+    EXPECT_LE(steps, 4) << count;  // 0.5 ms
+    before = steps;
+  }
+  const RigidArm arm(1e-3);
+  const ChainSimulation simulation(arm.evidence[0], arm.robot, kHorizons[1]);
+  EXPECT_LT(errorOverNoise(simulation, robot::ChainModel(arm.robot)), kMost);
 }
 
 }  // namespace
