@@ -8,10 +8,8 @@
 #include "app/cli/command.h"
 #include "app/cli/console.h"
 #include "app/cli/outputs.h"
-#include "core/base/yaml.h"
 #include "core/recording/recover.h"
 #include "core/recording/schema.h"
-#include "core/robot/description.h"
 
 namespace capstan::cli {
 namespace {
@@ -68,11 +66,6 @@ nlohmann::json documentOf(const recording::Recovery& recovery, const RecoverArgu
           {"missing_pages", recovery.pages.missing}};
 }
 
-/// Text of a robot file; empty without one. Throws base::InputError for a file that is none.
-std::string robotText(const std::string& file) {
-  return file.empty() ? std::string() : base::writeYaml(robot::readDescription(file));
-}
-
 ExitCode recover(const RecoverArguments& arguments) {
   const Output output(arguments.json);
   checkOutputs({{"OUT", arguments.out}, {"--json", arguments.json}}, {arguments.in, arguments.robot});
@@ -82,8 +75,8 @@ ExitCode recover(const RecoverArguments& arguments) {
   recording::Recovery recovery;
   {
     const ProgressLine line(progress);
-    recovery =
-        recording::recoverSession(arguments.in, arguments.out, {robotText(arguments.robot)}, &progress);
+    recovery = recording::recoverSession(arguments.in, arguments.out,
+                                         recording::recoverOptions(arguments.robot), &progress);
   }
   if (progress.cancelled()) {
     notice("cancelled");

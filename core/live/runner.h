@@ -32,6 +32,7 @@ struct RunnerOptions {
 struct RunStatus {
   RunState state = RunState::kPaused;
   std::string error;          ///< reason of kFailed
+  std::string damaged;        ///< session file that failed and can be recovered; empty: none
   std::string command_fault;  ///< error of the last failed command; the runner continues
   std::uint64_t command_fault_count = 0;
   double t = 0.0;                 ///< arrival of the newest sample [s]

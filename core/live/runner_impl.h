@@ -16,6 +16,7 @@
 #include "core/live/rate_meter.h"
 #include "core/live/recording_slot.h"
 #include "core/live/runner.h"
+#include "core/recording/recover.h"
 #include "core/tracking/arrival.h"
 #include "core/tracking/gate_watch.h"
 #include "core/tracking/make_pipeline.h"
@@ -222,6 +223,8 @@ class Runner::Impl {
       }
       try {
         advance();
+      } catch (const base::InputError& error) {
+        finish(RunState::kFailed, error.what(), recording::isRecoverable(error) ? error.fault().file : "");
       } catch (const std::exception& error) {
         finish(RunState::kFailed, error.what());
       }
@@ -317,12 +320,13 @@ class Runner::Impl {
     if (blocking_.apply(motor_t_, *source_)) recording_.noteOcclusion(t_, blocking_.text(), !info_.live);
   }
 
-  void finish(RunState state, std::string error) {
+  void finish(RunState state, std::string error, std::string damaged = {}) {
     mode_ = Mode::kDone;
     {
       const std::lock_guard lock(mutex_);
       done_ = state;
       if (!error.empty()) status_.error = std::move(error);
+      status_.damaged = std::move(damaged);
     }
     publishStatus(true);
   }

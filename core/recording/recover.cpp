@@ -10,17 +10,20 @@
 #include <utility>
 
 #include "core/base/part_file.h"
+#include "core/base/yaml.h"
 #include "core/recording/row_counts.h"
 #include "core/recording/row_rescue.h"
 #include "core/recording/schema.h"
 #include "core/recording/session_reader.h"
 #include "core/recording/session_writer.h"
+#include "core/robot/description.h"
 
 namespace capstan::recording {
 namespace {
 
 constexpr std::string_view kHeaderKeys[] = {"title",        "created", "software", "robot",    "camera_left",
                                             "camera_right", "truth",   "marker",   "tracking", "reference"};
+constexpr const char* kRobotRemedy = "Give the robot file: --robot FILE";
 constexpr double kApart = 0.05;                 // lost rows closer than this are stated together [s]
 constexpr std::uint32_t kLikelyVersions = 100;  // a higher schema version is damage
 
@@ -107,8 +110,7 @@ void completeHeader(const std::filesystem::path& from, const RecoverOptions& opt
   for (const std::string& key : wanted)
     if (!rescue.headerKeys().contains(key)) recovery.lost_header.push_back(key);
   if (rescue.headerKeys().contains("robot")) return;
-  if (options.robot.empty())
-    throw base::InputError({from.string(), 0, "robot", {}, "is lost", "Give the robot file: --robot FILE"});
+  if (options.robot.empty()) throw base::InputError({from.string(), 0, "robot", {}, "is lost", kRobotRemedy});
   writer.setRobot(options.robot);
 }
 
@@ -128,6 +130,12 @@ bool Recovery::complete() const {
 }
 
 bool isRecoverable(const base::InputError& error) { return error.fault().remedy == kRecoverRemedy; }
+
+RecoverOptions recoverOptions(const std::filesystem::path& robot) {
+  return {robot.empty() ? std::string() : base::writeYaml(robot::readDescription(robot))};
+}
+
+bool lacksRobot(const base::InputError& error) { return error.fault().remedy == kRobotRemedy; }
 
 std::string faultOf(const std::filesystem::path& session, base::Progress* progress) {
   try {

@@ -16,6 +16,9 @@ struct RecoverOptions {
   std::string robot;  ///< robot file (YAML text) for a session whose own is lost; empty: none
 };
 
+/// Options with the text of a robot file; empty: none. Throws base::InputError for a file that is none.
+RecoverOptions recoverOptions(const std::filesystem::path& robot);
+
 /// Rows of one table of samples.
 struct RecoveredRows {
   std::string table;
@@ -60,6 +63,8 @@ Recovery recoverSession(const std::filesystem::path& from, const std::filesystem
 
 /// Whether the error is that of a damaged session, of which recoverSession() may save something.
 bool isRecoverable(const base::InputError& error);
+/// Whether recoverSession() refused because the robot is lost: with RecoverOptions::robot it can go on.
+bool lacksRobot(const base::InputError& error);
 
 /// Why the session is not whole: reads and verifies every row. Empty: it is whole.
 std::string faultOf(const std::filesystem::path& session, base::Progress* progress = nullptr);

@@ -73,7 +73,21 @@ bool RecoverController::isRecorded(const QString& file) const {
   return recorder && QFileInfo(QString::fromStdString(recorder->path().string())) == QFileInfo(file);
 }
 
-void RecoverController::recover(const QString& damaged, const QString& saved) {
+void RecoverController::askRobot(const QString& damaged, const QString& saved) {
+  news_.showNews(
+      tr("The robot of %1 is lost. Its robot file is needed to save the rest").arg(damaged),
+      {{tr("Robot file…"), [this, damaged, saved] {
+          auto* dialog = new QFileDialog(qobject_cast<QWidget*>(parent()), tr("Robot of the session"),
+                                         QString(), tr("Robot files (*.yaml);;All files (*)"));
+          dialog->setAttribute(Qt::WA_DeleteOnClose);
+          dialog->setFileMode(QFileDialog::ExistingFile);
+          connect(dialog, &QFileDialog::fileSelected, this,
+                  [this, damaged, saved](const QString& robot) { recover(damaged, saved, robot); });
+          dialog->open();
+        }}});
+}
+
+void RecoverController::recover(const QString& damaged, const QString& saved, const QString& robot) {
   if (job_.busy()) return;
   if (QFileInfo(damaged) == QFileInfo(saved))
     return faults_.showMessage(tr("%1 is the damaged file. Choose another name").arg(saved), kAbout);
@@ -81,10 +95,21 @@ void RecoverController::recover(const QString& damaged, const QString& saved) {
     return faults_.showMessage(tr("%1 is under recording. Stop the recording first").arg(damaged), kAbout);
   news_.showNews(tr("Recovering %1").arg(damaged), {{tr("Cancel"), [this] { job_.cancel(); }}});
   job_.start(
-      [damaged, saved](base::Progress& progress) {
-        return recording::recoverSession(damaged.toStdString(), saved.toStdString(), {}, &progress);
+      [damaged, saved, robot](base::Progress& progress) -> Outcome {
+        try {
+          return recording::recoverSession(damaged.toStdString(), saved.toStdString(),
+                                           recording::recoverOptions(robot.toStdString()), &progress);
+        } catch (const base::InputError& error) {
+          if (!recording::lacksRobot(error)) throw;
+          return std::nullopt;
+        }
       },
-      [this, damaged, saved](const recording::Recovery& recovery) { show(recovery, damaged, saved); });
+      [this, damaged, saved](const Outcome& outcome) {
+        if (outcome)
+          show(*outcome, damaged, saved);
+        else
+          askRobot(damaged, saved);
+      });
 }
 
 void RecoverController::show(const recording::Recovery& recovery, const QString& damaged,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QObject>
+#include <optional>
 
 #include "core/recording/recover.h"
 #include "widgets/jobs/job.h"
@@ -22,9 +23,13 @@ class RecoverController : public QObject {
   void offer(const QString& file, const QString& why);
   void askDamaged();
   void askNew(const QString& damaged);
-  void recover(const QString& damaged, const QString& saved);
+  /// `robot`: robot file for a session whose own is lost; empty: none.
+  void recover(const QString& damaged, const QString& saved, const QString& robot = {});
 
  private:
+  /// What the background work ends with; nothing: the session's robot is lost.
+  using Outcome = std::optional<recording::Recovery>;
+  void askRobot(const QString& damaged, const QString& saved);
   bool isRecorded(const QString& file) const;
   void show(const recording::Recovery& recovery, const QString& damaged, const QString& saved);
 

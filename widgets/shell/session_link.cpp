@@ -126,9 +126,11 @@ void SessionLink::finishOpening() {
 
 void SessionLink::refuse(const base::InputError& error) {
   Q_EMIT failed(QString::fromStdString(error.what()));
-  if (recording::isRecoverable(error))
-    Q_EMIT damaged(QString::fromStdString(error.fault().file),
-                   tr("What is readable can be saved into a new session"));
+  if (recording::isRecoverable(error)) offerRecovery(error.fault().file);
+}
+
+void SessionLink::offerRecovery(const std::string& file) {
+  Q_EMIT damaged(QString::fromStdString(file), tr("What is readable can be saved into a new session"));
 }
 
 void SessionLink::listen(const QObject* who, live::Listener listener) {
@@ -191,8 +193,10 @@ void SessionLink::tick() {
   if (runner_->drainHistory(history_) > 0) Q_EMIT history(history_);
   if (runner_->takeSnapshot(snapshot_)) Q_EMIT snapshot(snapshot_);
   const auto now = runner_->status();
-  if (now.state == live::RunState::kFailed && last_state_ != now.state)
+  if (now.state == live::RunState::kFailed && last_state_ != now.state) {
     Q_EMIT failed(QString::fromStdString(now.error));
+    if (!now.damaged.empty()) offerRecovery(now.damaged);
+  }
   last_state_ = now.state;
   if (now.command_fault_count != std::exchange(command_faults_, now.command_fault_count))
     Q_EMIT failed(QString::fromStdString(now.command_fault));

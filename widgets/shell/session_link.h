@@ -53,7 +53,8 @@ class SessionLink : public QObject {
   /// `choice`: the argument of open() for this source.
   void opened(const capstan::tracking::SourceInfo& info, const capstan::widgets::SourceChoice& choice);
   void failed(const QString& message);
-  /// open() refused a session file that is damaged and may be recovered; failed() was emitted, too.
+  /// A session file that was to be opened, or is replayed, is damaged and may be recovered; failed() was
+  /// emitted, too.
   void damaged(const QString& file, const QString& message);
   /// useRobot() has changed the robot; emitted before the notes are written.
   void robotChanged();
@@ -73,6 +74,7 @@ class SessionLink : public QObject {
   void beginOpening(const SourceChoice& choice);
   void finishOpening();
   void refuse(const base::InputError& error);
+  void offerRecovery(const std::string& file);
   void begin(std::unique_ptr<live::Runner> runner, const std::optional<SourceChoice>& choice);
   void retire(std::unique_ptr<live::Runner> runner);
   void hearRetired();
