@@ -1,5 +1,7 @@
 #include "core/live/row_side.h"
 
+#include <utility>
+
 #include "core/base/error.h"
 #include "core/recording/table_source.h"
 
@@ -111,7 +113,12 @@ void RowSide::pass(recording::MeasuredTable table) {
       ++dropped;
   }
   const std::lock_guard lock(mutex_);
-  for (const double t : table.t) clock_.add(t, arrival), gaps_.add(t);
+  if (std::exchange(clock_steps_, times_.steps()) != times_.steps()) clock_.forget();
+  for (const double t : table.t) {
+    // Rows from before a step have another offset from this computer's clock.
+    if (t >= times_.timeOfLastStep()) clock_.add(t, arrival);
+    gaps_.add(t);
+  }
   status_.state = State::kReceiving;
   status_.received += table.rows();
   status_.dropped += dropped;

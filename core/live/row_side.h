@@ -66,9 +66,10 @@ class RowSide {
 
   mutable std::mutex mutex_;  ///< protects the members below
   tracking::SideStatus status_;
-  GapCounter gaps_;            ///< in the session's times
-  ClockMap clock_;             ///< from the session's clock to this computer's
-  double last_arrival_ = 0.0;  ///< [s] after start_
+  GapCounter gaps_;                ///< in the session's times
+  ClockMap clock_;                 ///< from the session's clock to this computer's
+  std::uint64_t clock_steps_ = 0;  ///< of times_ that clock_ knows
+  double last_arrival_ = 0.0;      ///< [s] after start_
   std::exception_ptr fault_;
 
   std::thread thread_;

@@ -120,8 +120,7 @@ void ClockMap::fit() {
   slope_ = (b.delay - a.delay) / (b.stamp - a.stamp);
   if (std::abs(slope_) <= kMostDrift) return;
   slope_ = std::copysign(kMostDrift, slope_);
-  for (const Pair& pair : bins_)
-    level_ = std::min(level_, pair.delay - slope_ * (pair.stamp - origin_));
+  for (const Pair& pair : bins_) level_ = std::min(level_, pair.delay - slope_ * (pair.stamp - origin_));
 }
 
 double ClockMap::toSession(double stamp) const { return stamp + line(stamp); }

@@ -14,10 +14,10 @@ namespace capstan::live {
 /// at the mean stamp, with at most kMostDrift. The smallest delay cannot be distinguished from an offset; it
 /// counts as offset.
 ///
-/// A stall makes pairs late, and a burst follows; the stamps go on evenly. A clock that steps makes the stamps
-/// jump: back, or ahead by more than the time that has passed between the arrivals. Only such a jump begins
-/// the search for a step. Late pairs without one lie above the line and do not move it. Pairs below the line
-/// without one show that all earlier pairs were late: the line begins again with them.
+/// A stall makes pairs late, and a burst follows; the stamps go on evenly. A clock that steps makes the
+/// stamps jump: back, or ahead by more than the time that has passed between the arrivals. Only such a jump
+/// begins the search for a step. Late pairs without one lie above the line and do not move it. Pairs below
+/// the line without one show that all earlier pairs were late: the line begins again with them.
 class ClockMap {
  public:
   /// Adds a stamp [s, device] and its arrival [s, session]. `stream`: which of up to kStreams streams of the

@@ -4,24 +4,47 @@
 
 namespace capstan::live {
 
+bool RowTimes::runsAhead(double time, double arrival) const {
+  const double passed = arrival - begun_;
+  const double waited = passed < kSettling ? kFirstWait - lead_ : 0.0;
+  return time - passed > lead_ + waited + kAhead;
+}
+
+/// lead_ rises to that of rows in time, at once while it settles, and then no faster than clocks differ.
+void RowTimes::follow(double time, double arrival) {
+  const double lead = time - (arrival - begun_);
+  if (lead <= lead_) return;
+  const bool settling = arrival - begun_ < kSettling;
+  lead_ = settling ? lead : std::min(lead, lead_ + kFast * (arrival - arrival_));
+}
+
 std::optional<double> RowTimes::of(double stamp, double arrival) {
   double time = stamp + offset_;
   if (!started_) {
     started_ = true;
     offset_ = -stamp, time = 0.0;
+    begun_ = arrival_ = arrival;
   } else {
     constexpr double kLeastPause = 1e-3;  // [s]
     const double passed = std::max(arrival - arrival_, kLeastPause), ahead = stamp - stamp_;
-    if (ahead < -kBack || ahead > arrival - arrival_ + kAhead || (reconnected_ && ahead <= 0.0)) {
+    const bool stepped = ahead < -kBack || ahead > arrival - arrival_ + kAhead || runsAhead(time, arrival);
+    if (stepped || (reconnected_ && ahead <= 0.0)) {
+      const double next =
+          time_ + passed;  // not stamp + offset: the stamp may be too large for the difference
+      if (runsAhead(next, arrival)) {
+        ++repeated_;
+        return {};
+      }
       ++steps_;
       last_step_ = ahead - passed;
-      time = time_ + passed;  // not stamp + offset: the stamp may be too large to hold the difference
+      time = time_of_step_ = next;
       offset_ = time - stamp;
     } else if (ahead <= 0.0 || time <= time_) {
       ++repeated_;
       return {};
     }
   }
+  follow(time, arrival);
   reconnected_ = false;
   stamp_ = stamp, arrival_ = arrival, time_ = time;
   return time;

@@ -97,8 +97,8 @@ struct StalledCamera {
     }
     return all;
   }
-  static void flush(std::vector<std::pair<double, double>>& all, std::vector<std::pair<double, double>>& waiting,
-                    double at) {
+  static void flush(std::vector<std::pair<double, double>>& all,
+                    std::vector<std::pair<double, double>>& waiting, double at) {
     for (const auto& [stamp, none] : waiting) all.emplace_back(stamp, std::max(stamp, at) + 0.001);
     waiting.clear();
   }
