@@ -44,7 +44,8 @@ class VideoStream::Impl {
       : file_(std::filesystem::is_regular_file(from)) {
     const bool network = isNetworkStream(from);
     const int wait = static_cast<int>(kPatience.count());
-    if (network || file_)
+    device_ = !network && !file_;
+    if (!device_)
       capture_.open(from, cv::CAP_FFMPEG,
                     network ? std::vector<int>{cv::CAP_PROP_OPEN_TIMEOUT_MSEC, wait,
                                                cv::CAP_PROP_READ_TIMEOUT_MSEC, wait}
@@ -65,15 +66,19 @@ class VideoStream::Impl {
 
   bool read(cv::Mat& image) {
     cv::Mat raw;
-    if (!capture_.read(raw) || raw.empty()) return false;
+    if (!capture_.grab()) return false;
+    arrival_ = Clock::now();
+    if (device_) arrival_ = driverTime(capture_.get(cv::CAP_PROP_POS_MSEC), arrival_);
+    if (!capture_.retrieve(raw) || raw.empty()) return false;
     if (raw.channels() == 3)
       image = raw;
     else
       cv::cvtColor(raw, image, raw.channels() == 1 ? cv::COLOR_GRAY2BGR : cv::COLOR_BGRA2BGR);
-    if (file_) std::this_thread::sleep_until(due());
+    if (file_) std::this_thread::sleep_until(arrival_ = due());
     return true;
   }
   bool isFile() const { return file_; }
+  Clock::time_point arrival() const { return arrival_; }
 
  private:
   Clock::time_point due() {
@@ -82,6 +87,8 @@ class VideoStream::Impl {
   }
 
   const bool file_;
+  bool device_ = false;
+  Clock::time_point arrival_;
   cv::VideoCapture capture_;
   std::chrono::duration<double> period_{0.0};
   Clock::time_point start_;
@@ -93,5 +100,14 @@ VideoStream::VideoStream(const std::string& from, const VideoSettings& settings)
 VideoStream::~VideoStream() = default;
 bool VideoStream::read(cv::Mat& image) { return impl_->read(image); }
 bool VideoStream::isFile() const { return impl_->isFile(); }
+Clock::time_point VideoStream::arrival() const { return impl_->arrival(); }
+
+Clock::time_point driverTime(double driver_ms, Clock::time_point read) {
+  const double read_ms = std::chrono::duration<double, std::milli>(read.time_since_epoch()).count();
+  constexpr double kLongest = 1000.0;
+  if (!(driver_ms > read_ms - kLongest && driver_ms <= read_ms)) return read;
+  return read - std::chrono::duration_cast<Clock::duration>(
+                    std::chrono::duration<double, std::milli>(read_ms - driver_ms));
+}
 
 }  // namespace capstan::live
