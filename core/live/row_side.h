@@ -50,6 +50,7 @@ class RowSide {
 
   void work();
   void readOnce();
+  void begin(bool replaced);
   void pass(recording::MeasuredTable table);
   void refuse(const std::string& reason);
   double now() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }

@@ -59,10 +59,11 @@ struct SideStatus {
   std::string from;               ///< address or device
   State state = State::kWaiting;  ///< kSilent: nothing for kSilence; kFrozen: only equal images for that
                                   ///< time; kRefused: `fault` disconnected it
+  bool connected = false;         ///< kWaiting: a program is connected, and no valid row has come from it
   std::string fault;              ///< reason of the last disconnection by this program; empty: none
   double silent_for = 0.0;        ///< time since the last sample, or the last new image [s]
   std::uint64_t received = 0;     ///< number taken
-  std::uint64_t repeated = 0;     ///< excluded, since their stamps did not rise or were too far ahead
+  std::uint64_t repeated = 0;     ///< excluded, since their stamps did not rise
   std::uint64_t missing = 0;      ///< rows or pairs of images that never came, by the gaps in their times
   std::uint64_t dropped = 0;      ///< excluded, since tracking was too slow
   std::uint64_t unpaired = 0;     ///< images excluded, since the other camera gave none at their time

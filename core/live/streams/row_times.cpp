@@ -25,19 +25,16 @@ std::optional<double> RowTimes::of(double stamp, double arrival) {
     offset_ = -stamp, time = 0.0;
     begun_ = arrival_ = arrival;
   } else {
-    constexpr double kLeastPause = 1e-3;  // [s]
+    constexpr double kLeastPause = 1e-3, kLeastStep = 1e-6;  // [s]
     const double passed = std::max(arrival - arrival_, kLeastPause), ahead = stamp - stamp_;
     const bool stepped = ahead < -kBack || ahead > arrival - arrival_ + kAhead || runsAhead(time, arrival);
     if (stepped || (reconnected_ && ahead <= 0.0)) {
-      const double next =
-          time_ + passed;  // not stamp + offset: the stamp may be too large for the difference
-      if (runsAhead(next, arrival)) {
-        ++repeated_;
-        return {};
-      }
       ++steps_;
       last_step_ = ahead - passed;
-      time = time_of_step_ = next;
+      // Not stamp + offset: the stamp may be too large to hold the difference. Where the session's clock is
+      // ahead, it waits for this computer's.
+      const double in_time = arrival - begun_ + lead_;
+      time = time_of_step_ = std::max(time_ + kLeastStep, std::min(time_ + passed, in_time));
       offset_ = time - stamp;
     } else if (ahead <= 0.0 || time <= time_) {
       ++repeated_;

@@ -11,8 +11,8 @@ namespace capstan::live {
 /// lie in the future do not run it on.
 class RowTimes {
  public:
-  /// Time of a row [s]; nothing if the row is repeated, older than the one before, or ahead of this
-  /// computer's clock. `stamp`: its own time [s]; `arrival`: on this computer [s].
+  /// Time of a row [s]; nothing if the row is repeated or older than the one before. `stamp`: its own time
+  /// [s]; `arrival`: on this computer [s].
   std::optional<double> of(double stamp, double arrival);
   /// The next row is the first one of another connection: a stamp that does not rise is a step of the clock.
   void reconnect() { reconnected_ = true; }
