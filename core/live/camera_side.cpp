@@ -164,7 +164,7 @@ double CameraSide::pairingTime(int stream, const Times& times) {
 /// Time at which images of this time would have arrived with the smallest delay.
 CameraSide::Clock::time_point CameraSide::computerTime(double pairing_time) const {
   const double since = origin_ == 0 ? pairing_time : clock_.toSession(pairing_time);
-  return start_ + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(since));
+  return start_ + std::chrono::round<Clock::duration>(std::chrono::duration<double>(since));
 }
 
 void CameraSide::take(int stream, const cv::Mat& image, const Times& times, std::uint64_t lost) {
