@@ -12,39 +12,31 @@
 
 #include "core/live/armed_drive.h"
 #include "core/live/live_setup.h"
+#include "core/live/robot_commands.h"
 #include "core/ros1/message_data.h"
 
 namespace capstan::live {
-
-/// What a person sees of the commands to the robot.
-struct CommandStatus {
-  DriveState state = DriveState::kDisarmed;
-  std::string reason;           ///< of the last stop, or why it could not be armed; empty: none
-  std::string topic;            ///< of the set-points
-  std::uint64_t published = 0;  ///< messages since the session began
-};
 
 /// Publishes the set-points of an ArmedDrive on a ROS topic (CRTK servo_jp or move_jp,
 /// sensor_msgs/JointState) on a thread of its own. The topic is not even advertised before the drive is
 /// armed, nor after it is disarmed. A message is published only while the lock is held under which the drive
 /// was asked: after release() or stop() has returned, no other one is published. Any thread may call the
 /// functions.
-class JointCommander {
+class JointCommander final : public RobotCommands {
  public:
   /// Throws base::InputError for a robot of fewer than three joints.
   JointCommander(const CommandsSetup& setup, const robot::Description& robot);
-  ~JointCommander();  ///< stops
+  ~JointCommander() override;  ///< stops
 
   /// Joint positions by the motors of a sample [rad or m] that arrived at `arrival`; called for every one. A
   /// session that lags is like one without motors.
   void observe(const Eigen::Vector3d& q, std::chrono::steady_clock::time_point arrival);
-  /// Arms in the background: status() has the result, by kMoving, kArmed or a reason.
-  void arm();
-  void disarm();
-  void hold();  ///< the dead-man's key is held; to be repeated at least every ArmedDrive::kHold
-  void release();
-  void stop(DriveStop cause);
-  CommandStatus status() const;
+  void arm() override;
+  void disarm() override;
+  void hold() override;
+  void release() override;
+  void stop(DriveStop cause) override;
+  CommandStatus status() const override;
 
   /// Between two messages.
   static constexpr std::chrono::milliseconds kServoPeriod{10}, kMovePeriod{50};

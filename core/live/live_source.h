@@ -15,7 +15,7 @@
 namespace capstan::live {
 
 /// A robot that sends its samples while they are measured. Its thread receives; next() waits.
-class LiveSource final : public tracking::Source {
+class LiveSource final : public tracking::Source, public Commandable {
  public:
   /// Opens the set-up's addresses. From standard input the first rows are awaited, and a fault in the rows
   /// ends the source; elsewhere it disconnects the program that has sent it, and another one may connect.
@@ -34,7 +34,7 @@ class LiveSource final : public tracking::Source {
   std::vector<tracking::SideStatus> sides() const override;
   /// Commands to the robot; null: the set-up has none. It gets the position of every motor sample that is
   /// tracked. The session's end stops it.
-  const std::shared_ptr<JointCommander>& commander() const { return commander_; }
+  std::shared_ptr<RobotCommands> commands() const override { return commander_; }
 
  private:
   void readCameras(const CamerasSetup& setup);

@@ -1,6 +1,7 @@
 // ROS 1: bags, and robots and cameras that publish topics. Without ROS the tests skip.
 #include <unistd.h>
 
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <set>
@@ -146,6 +147,49 @@ TEST_F(CliRos, ARobotThatPublishesTopicsIsTracked) {
   EXPECT_GT(sent.size(), 500u);
   const std::set<double> known(estimates.begin(), estimates.end());
   for (const double q : sent) ASSERT_TRUE(known.contains(q)) << q;
+}
+
+/// Debian's own `rosbag play` as the robot: every row and image of a bag that we wrote comes with its
+/// numbers.
+TEST_F(CliRos, ABagOfOursThatRosbagPlaysIsTrackedLive) {
+  if (lacks("rosmaster") || lacks("rosbag")) GTEST_SKIP() << "ROS 1 is not installed";
+  if (!fs::exists("/usr/lib/rosbag/play")) GTEST_SKIP() << "rosbag has no play";
+  ASSERT_EQ(run("simulate --duration 4 --seed 5 --out " + path("a.capstan")).exit, 0);
+  ASSERT_EQ(run("convert " + path("a.capstan") + " " + path("a.bag")).exit, 0);
+  ASSERT_EQ(run("track " + path("a.bag") + " --out " + path("direct.csv") + " --save-registration " +
+                path("registration.yaml"))
+                .exit,
+            0);
+  std::ofstream(path("ros.yaml")) << base::readTextFile(base::resource("live/ros.yaml").string())
+                                  << "  registration: registration.yaml\n";
+  const std::string port = std::to_string(20000 + getpid() % 20000), program = test::commandLineProgram();
+  runShell("export ROS_HOSTNAME=localhost ROS_MASTER_URI=http://localhost:" + port +
+           "; (rosmaster --core -p " + port + " & master=$!; sleep 1; rosbag play -q -d 3 " + path("a.bag") +
+           " & playing=$!; " + program + " track --live " + path("ros.yaml") + " --out " + path("live.csv") +
+           " --json " + path("live.json") + " & tracking=$!; wait $playing; sleep 1; kill -INT $tracking; " +
+           "wait $tracking; kill $master; wait) >" + path("said.txt") + " 2>&1");
+  ASSERT_TRUE(fs::exists(path("live.json"))) << textOf("said.txt");
+  const json live = json::parse(textOf("live.json"));
+  EXPECT_EQ(live["live"][0]["dropped"], 0);
+  EXPECT_EQ(live["live"][0]["repeated"], 0);
+  EXPECT_EQ(live["live"][0]["clock"]["steps"], 0);
+  EXPECT_EQ(live["live"][1]["unpaired"], 0);
+  EXPECT_GT(live["camera_samples"], 50);
+  const auto motorRows = [&](const std::string& name) {
+    const std::vector<double> t = columnOf(name, "t"), camera = columnOf(name, "camera"),
+                              q = columnOf(name, "q_kin1"), encoder = columnOf(name, "q1");
+    std::vector<std::array<double, 3>> rows;
+    for (std::size_t k = 0; k < t.size(); ++k)
+      if (camera[k] == 0.0) rows.push_back({t[k], q[k], encoder[k]});
+    return rows;
+  };
+  const auto played = motorRows("live.csv"), stored = motorRows("direct.csv");
+  ASSERT_EQ(played.size(), stored.size()) << "rows are missing";
+  for (std::size_t k = 0; k < stored.size(); ++k) {
+    ASSERT_NEAR(played[k][0] - played[0][0], stored[k][0] - stored[0][0], 1e-8) << k;
+    ASSERT_EQ(played[k][1], stored[k][1]) << k;
+    ASSERT_EQ(played[k][2], stored[k][2]) << k;
+  }
 }
 
 TEST_F(CliRos, WithoutAMasterPlayingIsRefused) {

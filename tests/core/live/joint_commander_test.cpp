@@ -118,7 +118,7 @@ class CommandedRobot : public ::testing::Test {
     setup.commands = commandsOfTheRobot();
     change(setup);
     session_ = std::make_unique<LiveSource>(setup);
-    commander_ = session_->commander();
+    commander_ = session_->commands();
     pump_ = std::thread([this] {
       for (tracking::Sample sample; !quit_;)
         if (session_->ready(10ms) && !session_->next(sample)) return;
@@ -190,7 +190,7 @@ class CommandedRobot : public ::testing::Test {
       std::filesystem::temp_directory_path() / ("capstan_servo_" + std::to_string(getpid()));
   std::optional<Process> master_, robot_;
   std::unique_ptr<LiveSource> session_;
-  std::shared_ptr<JointCommander> commander_;
+  std::shared_ptr<RobotCommands> commander_;
   std::atomic<bool> quit_ = false;
   std::thread pump_;
 };
