@@ -100,12 +100,15 @@ class JointCommander::Topics {
     writer_.publish(ros1::encode(command));
   }
   bool hasSubscriber() const { return writer_.subscribers() > 0; }
-  /// The robot's newest message; null: none.
+  /// The robot's newest message; null: none within ArmedDrive::kSilence.
   const ros1::JointState* measured() {
     constexpr std::chrono::milliseconds kNow{0};
-    while (const auto message = reader_ ? reader_->next(kNow) : std::nullopt)
+    while (const auto message = reader_ ? reader_->next(kNow) : std::nullopt) {
       measured_ = ros1::decode<ros1::JointState>(message->bytes);
-    return measured_ ? &*measured_ : nullptr;
+      arrival_ = message->arrival;
+    }
+    const std::chrono::duration<double> age = Clock::now() - arrival_;
+    return measured_ && age.count() <= ArmedDrive::kSilence ? &*measured_ : nullptr;
   }
 
   /// The robot's message when the key was pressed: what the other joints are held at.
@@ -115,6 +118,7 @@ class JointCommander::Topics {
   ros1::TopicWriter writer_;
   std::unique_ptr<ros1::TopicReader> reader_;
   std::optional<ros1::JointState> measured_;
+  Clock::time_point arrival_;  ///< of measured_
 };
 
 JointCommander::JointCommander(const CommandsSetup& setup, const robot::Description& robot)
@@ -208,7 +212,7 @@ void JointCommander::publish(const Eigen::Vector3d& point) {
     if (!topics_->hasSubscriber()) return fail(DriveStop::kNoTopic, "no robot listens to " + topicOf(setup_));
     const ros1::JointState* measured = topics_->measured();
     if (!setup_.measured.empty() && !topics_->held) {
-      if (!measured) return fail(DriveStop::kDisagrees, "nothing has come from " + setup_.measured);
+      if (!measured) return fail(DriveStop::kDisagrees, "nothing comes from " + setup_.measured);
       const Eigen::Vector3d tolerance = ArmedDrive::kMargin * (drive_.highest() - drive_.lowest());
       if (std::string words = disagreementOf(setup_, joints_, drive_.measured(), tolerance, *measured);
           !words.empty())

@@ -39,9 +39,7 @@ DriveController::DriveController(const Views& views, SessionLink& link, QObject*
     if (held_) stop(DriveStop::kFocus);
   });
   renew_.setInterval(kRenew);
-  connect(&renew_, &QTimer::timeout, this, [this] {
-    if (commands_ && held_) commands_->hold();
-  });
+  connect(&renew_, &QTimer::timeout, this, &DriveController::renew);
   look_.setInterval(2 * kRenew);
   connect(&look_, &QTimer::timeout, this, &DriveController::showStatus);
   qApp->installEventFilter(this);
@@ -103,9 +101,17 @@ void DriveController::setHeld(bool held) {
     if (commands_) commands_->release();
   } else {
     commands_->hold();
+    renewed_.start();
     renew_.start();
   }
   showStatus();
+}
+
+/// After a time in which this program did nothing, the key may have been released: it has to be pressed anew.
+void DriveController::renew() {
+  if (!commands_ || !held_) return;
+  if (renewed_.restart() > 1e3 * live::ArmedDrive::kHold) return setHeld(false);
+  commands_->hold();
 }
 
 void DriveController::stop(DriveStop cause) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QElapsedTimer>
 #include <QObject>
 #include <QPointer>
 #include <QTimer>
@@ -40,6 +41,7 @@ class DriveController : public QObject {
   void askForCommands();
   void take(std::shared_ptr<live::RobotCommands> commands);
   void setHeld(bool held);
+  void renew();
   void stop(live::DriveStop cause);
   void showStatus();
 
@@ -51,6 +53,7 @@ class DriveController : public QObject {
   std::shared_ptr<live::RobotCommands> commands_;  ///< null: the session's robot is not commanded
   live::CommandStatus shown_;
   QTimer renew_, look_;
+  QElapsedTimer renewed_;  ///< since the held key was renewed last
   bool held_ = false;
   double now_ = 0.0;  ///< newest session time [s]
 };

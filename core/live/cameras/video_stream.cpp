@@ -2,6 +2,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <opencv2/videoio.hpp>
 #include <thread>
@@ -34,6 +35,14 @@ void apply(cv::VideoCapture& capture, const VideoSettings& settings) {
   set(cv::CAP_PROP_FOCUS, settings.focus);
 }
 
+/// Whether FFmpeg reads images that are JPEG files (Motion JPEG).
+bool givesJpeg(const cv::VideoCapture& capture) {
+  const int code = static_cast<int>(capture.get(cv::CAP_PROP_FOURCC));
+  return code ==
+             cv::VideoWriter::fourcc('m', 'j', 'p', 'e') ||  // the codec's name, of streams without a code
+         code == cv::VideoWriter::fourcc('M', 'J', 'P', 'G');
+}
+
 }  // namespace
 
 bool isNetworkStream(const std::string& from) { return from.find("://") != std::string::npos; }
@@ -60,6 +69,7 @@ class VideoStream::Impl {
                               "cannot be opened as a camera or video",
                               "Check the device, address or file, and that no other program uses it"});
     if (!file_) apply(capture_, settings);
+    jpeg_ = network && givesJpeg(capture_) && capture_.set(cv::CAP_PROP_FORMAT, -1.0);
     const double rate = settings.rate > 0.0 ? settings.rate : capture_.get(cv::CAP_PROP_FPS);
     if (file_ && rate > 0.0) period_ = std::chrono::duration<double>(1.0 / rate);
   }
@@ -70,6 +80,7 @@ class VideoStream::Impl {
     arrival_ = Clock::now();
     if (device_) arrival_ = driverTime(capture_.get(cv::CAP_PROP_POS_MSEC), arrival_);
     if (!capture_.retrieve(raw) || raw.empty()) return false;
+    if (jpeg_) return cv::imdecode(raw, cv::IMREAD_COLOR, &image), !image.empty();
     if (raw.channels() == 3)
       image = raw;
     else
@@ -88,6 +99,7 @@ class VideoStream::Impl {
 
   const bool file_;
   bool device_ = false;
+  bool jpeg_ = false;  ///< capture_ gives JPEG files: the time of arrival is known before they are decoded
   Clock::time_point arrival_;
   cv::VideoCapture capture_;
   std::chrono::duration<double> period_{0.0};
