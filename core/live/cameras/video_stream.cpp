@@ -52,11 +52,11 @@ class VideoStream::Impl {
   Impl(const std::string& from, const VideoSettings& settings)
       : file_(std::filesystem::is_regular_file(from)) {
     const bool network = isNetworkStream(from);
-    const int wait = static_cast<int>(kPatience.count());
+    const int open = static_cast<int>(kOpening.count()), wait = static_cast<int>(kPatience.count());
     device_ = !network && !file_;
     if (!device_)
       capture_.open(from, cv::CAP_FFMPEG,
-                    network ? std::vector<int>{cv::CAP_PROP_OPEN_TIMEOUT_MSEC, wait,
+                    network ? std::vector<int>{cv::CAP_PROP_OPEN_TIMEOUT_MSEC, open,
                                                cv::CAP_PROP_READ_TIMEOUT_MSEC, wait}
                             : std::vector<int>{});
     else

@@ -34,6 +34,8 @@ class VideoStream {
   std::chrono::steady_clock::time_point arrival() const;
 
   static constexpr std::chrono::milliseconds kPatience{1000};
+  /// For opening a network stream: FFmpeg looks at its first images, and RTSP cameras begin with a key image.
+  static constexpr std::chrono::milliseconds kOpening{5000};
 
  private:
   class Impl;

@@ -10,12 +10,14 @@ bool RowTimes::runsAhead(double time, double arrival) const {
   return time - passed > lead_ + waited + kAhead;
 }
 
-/// lead_ rises to that of rows in time, at once while it settles, and then no faster than clocks differ.
+/// lead_ rises at once to that of the rows while it settles; then it follows theirs, no faster than clocks
+/// differ.
 void RowTimes::follow(double time, double arrival) {
-  const double lead = time - (arrival - begun_);
-  if (lead <= lead_) return;
-  const bool settling = arrival - begun_ < kSettling;
-  lead_ = settling ? lead : std::min(lead, lead_ + kFast * (arrival - arrival_));
+  const double lead = time - (arrival - begun_), most = kFast * (arrival - arrival_);
+  if (arrival - begun_ < kSettling)
+    lead_ = std::max(lead_, lead);
+  else
+    lead_ += std::clamp(lead - lead_, -most, most);
 }
 
 std::optional<double> RowTimes::of(double stamp, double arrival) {
@@ -27,7 +29,7 @@ std::optional<double> RowTimes::of(double stamp, double arrival) {
   } else {
     constexpr double kLeastPause = 1e-3, kLeastStep = 1e-6;  // [s]
     const double passed = std::max(arrival - arrival_, kLeastPause), ahead = stamp - stamp_;
-    const bool stepped = ahead < -kBack || ahead > arrival - arrival_ + kAhead || runsAhead(time, arrival);
+    const bool stepped = ahead < -kBack || runsAhead(time, arrival);
     if (stepped || (reconnected_ && ahead <= 0.0)) {
       ++steps_;
       last_step_ = ahead - passed;

@@ -39,7 +39,7 @@ class RowTimes {
   double offset_ = 0.0, stamp_ = 0.0, arrival_ = 0.0, last_step_ = 0.0, time_of_step_ = 0.0;
   double time_ = 0.0;   ///< of the newest row on the session's clock [s]
   double begun_ = 0.0;  ///< arrival of the first row [s]
-  double lead_ = 0.0;   ///< of the session's clock on this computer's since the first row, while in time [s]
+  double lead_ = 0.0;   ///< of the session's clock on this computer's since the first row, as usual [s]
   std::uint64_t steps_ = 0, repeated_ = 0;
 };
 

@@ -220,6 +220,36 @@ TEST(RowTimes, FollowAClockThatIsFastByAPerThousand) {
   EXPECT_EQ(times.steps(), 0U);
 }
 
+/// Rows that were lost while the receiver was held up leave a gap in the stamps, and none in the arrivals.
+TEST(RowTimes, TakeABacklogWithLostRowsForNoStep) {
+  RowTimes times;
+  for (int k = 0; k < 20000; ++k) {
+    const double stamp = 1e-3 * k;
+    if (stamp >= 10.0 && stamp < 10.8) continue;
+    ASSERT_NEAR(*times.of(stamp, 5.0 + (stamp >= 10.0 && stamp < 11.0 ? 11.0 : stamp)), stamp, 1e-9);
+  }
+  EXPECT_EQ(times.steps(), 0U);
+}
+
+/// After an hour in which the clock has lost 0.36 s, under jitter.
+TEST(RowTimes, RecogniseAStepOfASlowClock) {
+  for (const double step : {0.5, -0.5}) {
+    std::mt19937 random(3);
+    std::exponential_distribution<double> delay(1.0 / 0.02);
+    RowTimes times;
+    double last_arrival = 0.0;
+    for (int k = 0; k < 370000; ++k) {
+      const double t = 1e-2 * k;
+      last_arrival = std::max(last_arrival, 5.0 + t + delay(random));
+      const auto time = times.of((1.0 - 1e-4) * t + (t > 3600.0 ? step : 0.0), last_arrival);
+      if (!time) continue;
+      ASSERT_NEAR(*time, (1.0 - 1e-4) * t, t > 3600.0 ? 0.15 : 1e-6) << step;
+    }
+    EXPECT_EQ(times.steps(), 1U) << step;
+    EXPECT_NEAR(times.lastStep(), step, 0.2);
+  }
+}
+
 /// The receiver is held up for a second at the begin and later: what has waited comes at once.
 TEST(RowTimes, KeepTheStampsOfABacklog) {
   RowTimes times;
