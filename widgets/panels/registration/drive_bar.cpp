@@ -87,11 +87,10 @@ void DriveBar::refresh() {
   hold_->setEnabled(armed);
   state_->setText(driveText(status_));
   const bool loud = status_.state == DriveState::kMoving || status_.state == DriveState::kStopped;
-  state_->setStyleSheet(QStringLiteral("color:%1;")
-                            .arg((loud    ? theme_.fault
-                                  : armed ? theme_.warning
-                                          : theme_.muted)
-                                     .name()));
+  const QColor colour = loud ? theme_.fault : armed ? theme_.warning : theme_.muted;
+  state_->setStyleSheet(
+      QStringLiteral("color:%1;")
+          .arg((theme_.isDark() ? colour : colour.darker(armed || loud ? 150 : 100)).name()));
 }
 
 }  // namespace capstan::widgets
