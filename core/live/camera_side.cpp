@@ -14,7 +14,7 @@ namespace capstan::live {
 namespace {
 
 using State = tracking::SideStatus::State;
-constexpr std::size_t kWaiting = 4;  // images of a topic that may wait
+constexpr std::size_t kWaiting = 16;  // images of a topic that may wait: 0.5 s of 30 images/s
 
 /// Left and right half, or upper and lower half, of one image, copied.
 std::array<cv::Mat, 2> eyesOf(const cv::Mat& both, CameraLayout layout) {
@@ -64,6 +64,7 @@ tracking::SideStatus CameraSide::status() const {
   tracking::SideStatus status = status_;
   if (status.state == State::kReceiving) judge(status);
   status.unpaired = pairer_.unpaired(), status.frozen = pairer_.frozen();
+  status.dropped += pairer_.dropped();
   return status;
 }
 
@@ -121,8 +122,7 @@ void CameraSide::readStream(int stream, VideoStream& video) {
   if (video.isFile()) waitForSession();
   cv::Mat image;
   while (!quit_ && video.read(image)) {
-    const Clock::time_point now = Clock::now();
-    take(stream, image, now, now);
+    take(stream, image, {0, video.arrival()}, 0);
     image.release();  // the next one must not overwrite it
   }
 }
@@ -142,7 +142,7 @@ void CameraSide::workOnTopic(int stream, const std::string& topic) {
         status_.connections += reader.connections() - std::exchange(connections, reader.connections());
         status_.fault.clear();
       }
-      take(stream, image.image, earliest(image.stamp, message->arrival), message->arrival);
+      take(stream, image.image, {image.stamp, message->arrival}, message->lost);
     } catch (const base::InputError& error) {
       const std::lock_guard lock(mutex_);
       status_.fault = "ros:" + topic + ": " + error.what();
@@ -150,46 +150,55 @@ void CameraSide::workOnTopic(int stream, const std::string& topic) {
   }
 }
 
-/// Time at which the image would have arrived with the smallest delay; its arrival if it has no stamp.
-CameraSide::Clock::time_point CameraSide::earliest(std::int64_t stamp, Clock::time_point arrival) {
-  if (stamp == 0) return arrival;
-  const std::lock_guard lock(mutex_);
-  if (origin_ == 0) origin_ = stamp;
-  const double device = ros1::secondsOf(stamp - origin_);
-  clock_.add(device, std::chrono::duration<double>(arrival - start_).count());
-  const auto mapped = std::chrono::duration<double>(clock_.toSession(device));
-  return start_ + std::chrono::duration_cast<Clock::duration>(mapped);
+/// Time by which images are paired [s]: the stamp, or the arrival at this computer since start_ where there
+/// are none. An image without a stamp between others with one gets the stamp that would have come with it.
+double CameraSide::pairingTime(int stream, const Times& times) {
+  const double arrival = std::chrono::duration<double>(times.arrival - start_).count();
+  if (times.stamp == 0) return origin_ == 0 ? arrival : clock_.toDevice(arrival);
+  if (origin_ == 0) origin_ = times.stamp;
+  const double device = ros1::secondsOf(times.stamp - origin_);
+  clock_.add(device, arrival, static_cast<std::size_t>(stream));
+  return device;
 }
 
-void CameraSide::take(int stream, const cv::Mat& image, Clock::time_point seen, Clock::time_point arrival) {
-  const std::optional<double> now = session_time_(arrival), at = session_time_(seen);
+/// Time at which images of this time would have arrived with the smallest delay.
+CameraSide::Clock::time_point CameraSide::computerTime(double pairing_time) const {
+  const double since = origin_ == 0 ? pairing_time : clock_.toSession(pairing_time);
+  return start_ + std::chrono::round<Clock::duration>(std::chrono::duration<double>(since));
+}
+
+void CameraSide::take(int stream, const cv::Mat& image, const Times& times, std::uint64_t lost) {
+  const bool running = session_time_(times.arrival).has_value();
   const std::lock_guard lock(mutex_);
   Newest& newest = newest_[static_cast<std::size_t>(stream)];
-  newest.image = arrival;
+  newest.image = times.arrival;
   status_.state = State::kReceiving;
   ++status_.received;
-  if (!now || !at) {
-    newest.change = arrival;
+  const double t = pairingTime(stream, times);
+  if (!running) {
+    newest.change = times.arrival;
     return;
   }
-  const double t = *at - setup_.latency;
   std::optional<FramePair> pair;
   if (setup_.layout == CameraLayout::kTwo) {
-    pair = pairer_.add(stream, t, image);
+    pair = pairer_.add(stream, t, image, lost);
   } else {
     auto eyes = eyesOf(image, setup_.layout);
-    pairer_.add(0, t, eyes[0]);
-    pair = pairer_.add(1, t, eyes[1]);
+    pairer_.add(0, t, eyes[0], lost);
+    pair = pairer_.add(1, t, eyes[1], lost);
   }
-  if (!pairer_.isFrozen(stream)) newest.change = arrival;
+  if (!pairer_.isFrozen(stream)) newest.change = times.arrival;
   // A frozen image shows an earlier time than its own: the pair would mislead the filter.
-  if (pair && !pairer_.isFrozen(0) && !pairer_.isFrozen(1)) pass(std::move(*pair), *now);
+  if (pair && !pair->frozen) pass(std::move(*pair), times.arrival);
 }
 
-void CameraSide::pass(FramePair pair, double arrival) {
-  gaps_.add(pair.t);
+void CameraSide::pass(FramePair pair, Clock::time_point arrival) {
+  const std::optional<double> now = session_time_(arrival), seen = session_time_(computerTime(pair.t));
+  if (!now || !seen) return;
+  const double t = *seen - setup_.latency;
+  gaps_.add(t);
   status_.missing = gaps_.missing();
-  if (!queue_.offer(tracking::StereoFrame{pair.t, arrival, std::move(pair.left), std::move(pair.right)}))
+  if (!queue_.offer(tracking::StereoFrame{t, *now, std::move(pair.left), std::move(pair.right)}))
     ++status_.dropped;
 }
 

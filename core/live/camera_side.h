@@ -20,10 +20,11 @@
 namespace capstan::live {
 
 /// Reads the images of one or two streams, or ROS topics, on threads of their own, pairs them, and puts the
-/// pairs into a queue. A pair with an image that equals the one before is
-/// excluded, and counted as frozen. A stream that ends or falls silent is opened again. A video
-/// file begins with the session. Images of ROS topics have the
-/// times of their stamps, whose clock is mapped to that of this computer (ClockMap).
+/// pairs into a queue. A pair with an image that equals the one before is excluded, and counted as frozen. A
+/// stream that ends or falls silent is opened again. A video file begins with the session. Images of ROS
+/// topics are paired by their stamps, whose clock is then mapped to that of this computer (ClockMap); others
+/// are paired by the times at which their driver had them, or at which they arrived. A reader that is behind
+/// drops images; their pairs are counted as dropped.
 class CameraSide {
  public:
   using Clock = std::chrono::steady_clock;
@@ -40,10 +41,16 @@ class CameraSide {
   void work(int stream);
   void workOnTopic(int stream, const std::string& topic);
   void readStream(int stream, VideoStream& video);
-  /// `seen`: when the image could have arrived at the earliest.
-  void take(int stream, const cv::Mat& image, Clock::time_point seen, Clock::time_point arrival);
-  Clock::time_point earliest(std::int64_t stamp, Clock::time_point arrival);
-  void pass(FramePair pair, double arrival);
+  /// When an image came. A stamp is by the clock of the device.
+  struct Times {
+    std::int64_t stamp = 0;     ///< [ns]; 0: none
+    Clock::time_point arrival;  ///< at this computer
+  };
+  /// `lost`: number of images of the stream that were dropped before this one.
+  void take(int stream, const cv::Mat& image, const Times& times, std::uint64_t lost);
+  double pairingTime(int stream, const Times& times);
+  Clock::time_point computerTime(double pairing_time) const;
+  void pass(FramePair pair, Clock::time_point arrival);
   void waitToReopen() const;
   void waitForSession() const;
   /// Finds the stream without images, or without new ones, for the longest time.
@@ -64,7 +71,7 @@ class CameraSide {
     Clock::time_point image, change;  ///< arrival of the newest image, and of the newest that was not frozen
   };
   std::array<Newest, 2> newest_;  ///< by stream
-  ClockMap clock_;                ///< from stamps to this computer's clock
+  ClockMap clock_;                ///< from stamps to this computer's clock, where there are stamps
   std::int64_t origin_ = 0;       ///< first stamp [ns]; 0: none yet
   const Clock::time_point start_ = Clock::now();
 

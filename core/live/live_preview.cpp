@@ -36,7 +36,7 @@ void LivePreview::notingFaults(Work&& work) {
 void LivePreview::work() {
   notingFaults([&] {
     LiveSetup without = setup_;
-    without.cameras.reset();
+    without.cameras.reset(), without.commands.reset();
     auto motors = std::make_unique<LiveSource>(without);
     const std::lock_guard lock(mutex_);
     motors_ = std::move(motors);

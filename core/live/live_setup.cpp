@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/base/yaml.h"
@@ -28,6 +29,24 @@ void checkRos(const LiveSetup& setup, const std::string& file) {
            "Give the folder or the file of a calibration");
 }
 
+void checkCommands(const CommandsSetup& commands, const std::string& file) {
+  if (commands.servo_jp.empty() == commands.move_jp.empty())
+    refuse(file, "commands.servo_jp", commands.servo_jp, "and move_jp: exactly one of the two is to be given",
+           "Give the topic that your robot takes set-points from");
+  const std::pair<const char*, const std::string*> topics[] = {{"commands.servo_jp", &commands.servo_jp},
+                                                               {"commands.move_jp", &commands.move_jp},
+                                                               {"commands.measured", &commands.measured}};
+  for (const auto& [field, topic] : topics)
+    if (!topic->empty() && topic->front() != '/')
+      refuse(file, field, *topic, "is no name of a ROS topic", "Begin it with /");
+  if (!commands.names.empty() && commands.names.size() != 3)
+    refuse(file, "commands.names", std::to_string(commands.names.size()) + " names", "are not three",
+           "Give the names of the three joints of the arm, or none");
+  for (const double sign : commands.signs)
+    if (std::abs(sign) != 1.0)
+      refuse(file, "commands.signs", base::yamlText(sign), "is no sign", "Give 1 or -1");
+}
+
 void check(const LiveSetup& setup, const std::string& file) {
   std::array<int, 3> sorted = setup.motors.motors;
   std::ranges::sort(sorted);
@@ -41,6 +60,7 @@ void check(const LiveSetup& setup, const std::string& file) {
       refuse(file, "motors.signs", base::yamlText(sign), "is no sign", "Give 1 or -1");
   parseAddress(setup.motors.from, "motors.from");
   checkRos(setup, file);
+  if (setup.commands) checkCommands(*setup.commands, file);
   if (setup.cameras && (setup.cameras->layout == CameraLayout::kTwo) == setup.cameras->right.empty())
     refuse(file, "cameras.right", setup.cameras->right, "does not fit the layout",
            "Give two streams for the layout two, one (as left) for side_by_side and top_bottom");
@@ -80,8 +100,11 @@ void writeLiveSetup(const LiveSetup& setup, const std::filesystem::path& path) {
 
 LiveSetup liveSetupOf(const std::string& text, const std::string& robot, const std::string& read_as) {
   if (isAddress(text) || isFifo(text)) {
-    LiveSetup setup{
-        .title = text == "-" ? "standard input" : text, .robot = robot, .motors = {}, .cameras = {}};
+    LiveSetup setup{.title = text == "-" ? "standard input" : text,
+                    .robot = robot,
+                    .motors = {},
+                    .cameras = {},
+                    .commands = {}};
     setup.motors.from = text, setup.motors.read_as = read_as;
     check(setup, {});
     return setup;

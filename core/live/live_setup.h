@@ -83,12 +83,49 @@ struct CamerasSetup {
   bool operator==(const CamerasSetup&) const = default;
 };
 
+/// Commands to the robot, on a ROS topic of type sensor_msgs/JointState. They are sent only where a person
+/// has armed them.
+struct CommandsSetup {
+  std::string servo_jp, move_jp, measured;
+  std::vector<std::string> names;
+  std::array<double, 3> signs = {1.0, 1.0, 1.0}, offsets = {0.0, 0.0, 0.0};
+  std::array<double, 3> speed = {0.1, 0.1, 0.01};
+
+  template <class Self, class Visitor>
+  static void visit(Self& self, Visitor&& field) {
+    field(self.servo_jp,
+          {"servo_jp", "", "topic of set-points, as in /PSM1/servo_jp; none: move_jp", {}, false});
+    field(self.move_jp, {"move_jp", "", "topic of goals, as in /PSM1/move_jp; none: servo_jp", {}, false});
+    field(self.measured,
+          {"measured",
+           "",
+           "topic of the robot's own joint positions, as in /PSM1/measured_js: a robot of more than three "
+           "joints gets its other ones back; none: three joints are sent",
+           {},
+           false});
+    field(self.names, {"names",
+                       "",
+                       "three names in the message; none: joints of the robot file, or its first three",
+                       {},
+                       false});
+    field(self.signs, {"signs", "", "1, or -1 for a joint that counts the other way", {-1.0, 1.0}, false});
+    field(self.offsets, {"offsets",
+                         "rad or m",
+                         "position in the message where the robot file's is 0",
+                         {-100.0, 100.0},
+                         false});
+    field(self.speed, {"speed", "rad/s or m/s", "largest speed of joint 1, 2, 3", {1e-4, 1.0}, false});
+  }
+  bool operator==(const CommandsSetup&) const = default;
+};
+
 /// A robot to connect to; files are in resources/live.
 struct LiveSetup {
   std::string title;
   std::string robot;  ///< path of the robot file; empty: the left RAVEN-II
   RowsSetup motors;
   std::optional<CamerasSetup> cameras;
+  std::optional<CommandsSetup> commands;
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& field) {
@@ -98,6 +135,11 @@ struct LiveSetup {
         {"robot", "", "robot file, beside this file or with its whole path; none: left RAVEN-II", {}, false});
     field(self.motors, {"motors", "", "where motor positions come from"});
     field(self.cameras, {"cameras", "", "where images come from; none: no images", {}, false});
+    field(self.commands, {"commands",
+                          "",
+                          "where commands go that a person has armed; none: the robot is never moved",
+                          {},
+                          false});
   }
   bool operator==(const LiveSetup&) const = default;
 };

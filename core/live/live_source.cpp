@@ -46,11 +46,19 @@ LiveSource::LiveSource(const LiveSetup& setup) : setup_(setup.motors), queue_(kC
   if (setup.cameras)
     cameras_ = std::make_unique<CameraSide>(
         *setup.cameras, [this](CameraSide::Clock::time_point at) { return rows_->sessionTime(at); }, queue_);
+  if (setup.commands) {
+    commander_ = std::make_shared<JointCommander>(*setup.commands, info_.robot);
+    transmission_.emplace(info_.robot);
+  }
   if (!piped) return;
   const RowFacts facts = rows_->waitForFirst();
   info_.reference = facts.reference;
   info_.begin = facts.begin;
   info_.notices = facts.notices;
+}
+
+LiveSource::~LiveSource() {
+  if (commander_) commander_->stop(DriveStop::kEnded);
 }
 
 void LiveSource::readCameras(const CamerasSetup& setup) {
@@ -98,7 +106,10 @@ bool LiveSource::next(tracking::Sample& out) {
   const double t = tracking::arrivalOf(out);
   if (!begin_) begin_ = t;
   if (duration_ > 0.0 && t - *begin_ > duration_) return false;
-  if (auto* motor = std::get_if<tracking::MotorSample>(&out)) arrange(*motor);
+  if (auto* motor = std::get_if<tracking::MotorSample>(&out)) {
+    arrange(*motor);
+    if (commander_) commander_->observe(transmission_->jointFromMotor(motor->position), *offered);
+  }
   if (auto* tip = std::get_if<tracking::TipSample>(&out); tip && (left_blocked_ || right_blocked_))
     tip->position.setConstant(std::numeric_limits<double>::quiet_NaN());
   if (auto* frame = std::get_if<tracking::StereoFrame>(&out)) cover(*frame);

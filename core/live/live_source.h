@@ -4,21 +4,24 @@
 #include <optional>
 
 #include "core/live/camera_side.h"
+#include "core/live/joint_commander.h"
 #include "core/live/latency_meter.h"
 #include "core/live/live_setup.h"
 #include "core/live/row_side.h"
 #include "core/live/sample_queue.h"
+#include "core/robot/transmission.h"
 #include "core/tracking/source.h"
 
 namespace capstan::live {
 
 /// A robot that sends its samples while they are measured. Its thread receives; next() waits.
-class LiveSource final : public tracking::Source {
+class LiveSource final : public tracking::Source, public Commandable {
  public:
   /// Opens the set-up's addresses. From standard input the first rows are awaited, and a fault in the rows
   /// ends the source; elsewhere it disconnects the program that has sent it, and another one may connect.
   /// Throws base::InputError for an address that cannot be opened, and for the first rows of standard input.
   explicit LiveSource(const LiveSetup& setup);
+  ~LiveSource() override;
 
   /// Ends the source `seconds` after its first sample.
   void endAfter(double seconds) { duration_ = seconds; }
@@ -29,6 +32,9 @@ class LiveSource final : public tracking::Source {
   void discard() override;
   void block(bool left, bool right) override { left_blocked_ = left, right_blocked_ = right; }
   std::vector<tracking::SideStatus> sides() const override;
+  /// Commands to the robot; null: the set-up has none. It gets the position of every motor sample that is
+  /// tracked. The session's end stops it.
+  std::shared_ptr<RobotCommands> commands() const override { return commander_; }
 
  private:
   void readCameras(const CamerasSetup& setup);
@@ -47,6 +53,8 @@ class LiveSource final : public tracking::Source {
   LatencyMeter motor_latency_, camera_latency_;
   std::unique_ptr<RowSide> rows_;
   std::unique_ptr<CameraSide> cameras_;  ///< null: none; ends before rows_, whose clock it uses
+  std::shared_ptr<JointCommander> commander_;
+  std::optional<robot::Transmission> transmission_;  ///< of the robot that is commanded
   double duration_ = 0.0;
   std::optional<double> begin_;
   bool left_blocked_ = false, right_blocked_ = false;

@@ -21,6 +21,8 @@ class RowInput {
   virtual std::optional<recording::MeasuredTable> take() = 0;
   /// Tells the sender `reason`, if it can be told, and goes on with a new one.
   virtual void refuse(const std::string& reason) = 0;
+  /// The rows that take() has just returned are in use: their sender keeps its place.
+  virtual void confirm() {}
   /// Throws base::InputError if the times of `rows`, which take() has just returned, do not rise.
   virtual void checkOrder(const recording::MeasuredTable& rows) = 0;
 };

@@ -1,6 +1,11 @@
 #include "core/live/row_side.h"
 
+#include <fmt/format.h>
+
+#include <utility>
+
 #include "core/base/error.h"
+#include "core/live/streams/tcp_listener.h"
 #include "core/recording/table_source.h"
 
 namespace capstan::live {
@@ -62,26 +67,35 @@ void RowSide::readOnce() {
   constexpr std::chrono::milliseconds kWait{50};
   const ReadState state = input_->read(kWait);
   try {
-    if (state == ReadState::kOpened) {
-      times_.reconnect();
-      const std::lock_guard lock(mutex_);
-      ++status_.connections;
-      status_.state = State::kWaiting;
-    }
+    if (state == ReadState::kOpened || state == ReadState::kReplaced) begin(state == ReadState::kReplaced);
     ended_ = state == ReadState::kEnded;
     if (auto rows = input_->take()) pass(std::move(*rows));
     if (state != ReadState::kClosed) return;
     const std::lock_guard lock(mutex_);
     status_.state = State::kWaiting;
+    status_.connected = false;
   } catch (const base::InputError& error) {
     if (faults_ == Faults::kEnd) throw;
     refuse(error.what());
   }
 }
 
+void RowSide::begin(bool replaced) {
+  times_.reconnect();
+  const std::lock_guard lock(mutex_);
+  ++status_.connections;
+  status_.state = State::kWaiting;
+  status_.connected = true;
+  if (!replaced) return;
+  ++status_.refused;
+  status_.fault = fmt::format("{}: a program without a valid row for {} s gave way to another one",
+                              status_.from, TcpListener::kPatience.count());
+}
+
 void RowSide::pass(recording::MeasuredTable table) {
   recording::checkForTracking(table, robot_);
   const double arrival = now();
+  input_->confirm();
   if (faults_ == Faults::kEnd) {
     input_->checkOrder(table);
   } else {
@@ -111,7 +125,12 @@ void RowSide::pass(recording::MeasuredTable table) {
       ++dropped;
   }
   const std::lock_guard lock(mutex_);
-  for (const double t : table.t) clock_.add(t, arrival), gaps_.add(t);
+  if (std::exchange(clock_steps_, times_.steps()) != times_.steps()) clock_.forget();
+  for (const double t : table.t) {
+    // Rows from before a step have another offset from this computer's clock.
+    if (t >= times_.timeOfLastStep()) clock_.add(t, arrival);
+    gaps_.add(t);
+  }
   status_.state = State::kReceiving;
   status_.received += table.rows();
   status_.dropped += dropped;
@@ -128,6 +147,7 @@ void RowSide::refuse(const std::string& reason) {
   input_->refuse(reason);
   const std::lock_guard lock(mutex_);
   status_.state = State::kRefused;
+  status_.connected = false;
   ++status_.refused;
   status_.fault = reason;
 }

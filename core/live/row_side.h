@@ -50,6 +50,7 @@ class RowSide {
 
   void work();
   void readOnce();
+  void begin(bool replaced);
   void pass(recording::MeasuredTable table);
   void refuse(const std::string& reason);
   double now() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
@@ -66,9 +67,10 @@ class RowSide {
 
   mutable std::mutex mutex_;  ///< protects the members below
   tracking::SideStatus status_;
-  GapCounter gaps_;            ///< in the session's times
-  ClockMap clock_;             ///< from the session's clock to this computer's
-  double last_arrival_ = 0.0;  ///< [s] after start_
+  GapCounter gaps_;                ///< in the session's times
+  ClockMap clock_;                 ///< from the session's clock to this computer's
+  std::uint64_t clock_steps_ = 0;  ///< of times_ that clock_ knows
+  double last_arrival_ = 0.0;      ///< [s] after start_
   std::exception_ptr fault_;
 
   std::thread thread_;

@@ -17,7 +17,7 @@ class TextRows final : public RowInput {
   ReadState read(std::chrono::milliseconds wait) override {
     bytes_.clear();
     state_ = stream_->read(bytes_, wait);
-    if (state_ == ReadState::kOpened) parser_.restart();
+    if (state_ == ReadState::kOpened || state_ == ReadState::kReplaced) parser_.restart();
     parser_.add(bytes_);
     return state_;
   }
@@ -31,6 +31,7 @@ class TextRows final : public RowInput {
     stream_->refuse(reason);
     parser_.restart();
   }
+  void confirm() override { stream_->confirm(); }
   void checkOrder(const recording::MeasuredTable& rows) override { parser_.checkOrder(rows); }
 
  private:

@@ -92,8 +92,13 @@ class TopicReader::Impl : public std::enable_shared_from_this<TopicReader::Impl>
     if (const std::string from = event.getPublisherName(); from != publisher_)
       publisher_ = from, ++connections_;
     messages_.push_back({arrival, entryOf(header, "type"), entryOf(header, "message_definition"),
-                         event.getConstMessage()->bytes});
-    if (messages_.size() > capacity_) messages_.pop_front(), ++lost_;
+                         event.getConstMessage()->bytes, 0});
+    if (messages_.size() > capacity_) {
+      const std::uint64_t lost = messages_.front().lost + 1;
+      messages_.pop_front();
+      messages_.front().lost += lost;
+      ++lost_;
+    }
     come_.notify_one();
   }
 

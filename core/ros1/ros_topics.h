@@ -23,6 +23,7 @@ struct TopicMessage {
   std::chrono::steady_clock::time_point arrival;
   std::string type, definition;
   Bytes bytes;
+  std::uint64_t lost = 0;  ///< messages that waited for too long between the one before and this one
 };
 
 /// Messages of one topic, in order of arrival. A reader that is behind loses the oldest ones.

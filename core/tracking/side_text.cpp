@@ -21,7 +21,9 @@ bool needsAttention(const SideStatus& side) {
 std::string shortTextOf(const SideStatus& side) {
   switch (side.state) {
     case State::kWaiting:
-      return fmt::format("{}: waiting at {}", side.name, side.from);
+      return fmt::format(
+          "{}: {}", side.name,
+          side.connected ? "connected at " + side.from + ", no valid row yet" : "waiting at " + side.from);
     case State::kSilent:
     case State::kFrozen:
       return fmt::format("{} {} for {:.1f} s", side.part.empty() ? side.name : side.part + " camera",

@@ -59,6 +59,7 @@ struct SideStatus {
   std::string from;               ///< address or device
   State state = State::kWaiting;  ///< kSilent: nothing for kSilence; kFrozen: only equal images for that
                                   ///< time; kRefused: `fault` disconnected it
+  bool connected = false;         ///< kWaiting: a program is connected, and no valid row has come from it
   std::string fault;              ///< reason of the last disconnection by this program; empty: none
   double silent_for = 0.0;        ///< time since the last sample, or the last new image [s]
   std::uint64_t received = 0;     ///< number taken

@@ -148,6 +148,55 @@ TEST_F(CliRos, ARobotThatPublishesTopicsIsTracked) {
   for (const double q : sent) ASSERT_TRUE(known.contains(q)) << q;
 }
 
+/// Debian's own `rosbag play` as the robot: every row and image of a bag that we wrote comes with its
+/// numbers.
+TEST_F(CliRos, ABagOfOursThatRosbagPlaysIsTrackedLive) {
+  if (lacks("rosmaster") || lacks("rosbag")) GTEST_SKIP() << "ROS 1 is not installed";
+  if (!fs::exists("/usr/lib/rosbag/play")) GTEST_SKIP() << "rosbag has no play";
+  ASSERT_EQ(run("simulate --duration 4 --seed 5 --out " + path("a.capstan")).exit, 0);
+  ASSERT_EQ(run("convert " + path("a.capstan") + " " + path("a.bag")).exit, 0);
+  ASSERT_EQ(run("track " + path("a.bag") + " --out " + path("direct.csv") + " --save-registration " +
+                path("registration.yaml"))
+                .exit,
+            0);
+  std::ofstream(path("ros.yaml"))
+      << "title: a bag, played\nmotors:\n  from: ros:/arm/actuators/measured_js\n"
+         "  encoders: /arm/encoders/measured_js\ncameras:\n"
+         "  left: ros:/stereo/left/image_raw\n  right: ros:/stereo/right/image_raw\n"
+         "  registration: registration.yaml\n  calibration: "
+      << base::resource("cameras").string() << '\n';
+  const std::string port = std::to_string(20000 + getpid() % 20000), program = test::commandLineProgram();
+  runShell("export ROS_HOSTNAME=localhost ROS_MASTER_URI=http://localhost:" + port +
+           "; (rosmaster --core -p " + port + " & master=$!; sleep 1; rosbag play -q --queue=100000 -d 6 " +
+           path("a.bag") + " & playing=$!; " + program + " track --live " + path("ros.yaml") + " --out " +
+           path("live.csv") + " --json " + path("live.json") +
+           " & tracking=$!; wait $playing; sleep 1; kill -INT $tracking; " +
+           "wait $tracking; kill $master; wait) >" + path("said.txt") + " 2>&1");
+  ASSERT_TRUE(fs::exists(path("live.json"))) << textOf("said.txt");
+  const json live = json::parse(textOf("live.json"));
+  EXPECT_EQ(live["live"][0]["dropped"], 0);
+  EXPECT_EQ(live["live"][0]["repeated"], 0);
+  EXPECT_EQ(live["live"][0]["clock"]["steps"], 0);
+  EXPECT_EQ(live["live"][1]["unpaired"], 0);
+  EXPECT_GT(live["camera_samples"], 50);
+  const auto motorRows = [&](const std::string& name) {
+    const std::vector<double> camera = columnOf(name, "camera");
+    std::vector<std::vector<double>> rows;
+    for (const char* column : {"t", "q_kin1", "q_kin2", "q_kin3"}) {
+      const std::vector<double> all = columnOf(name, column);
+      auto& kept = rows.emplace_back();
+      for (std::size_t k = 0; k < all.size(); ++k)
+        if (camera[k] == 0.0) kept.push_back(all[k]);
+    }
+    return rows;
+  };
+  const auto played = motorRows("live.csv"), stored = motorRows("direct.csv");
+  ASSERT_EQ(played[0].size(), stored[0].size()) << "rows are missing: " << textOf("said.txt");
+  for (std::size_t joint = 1; joint <= 3; ++joint) EXPECT_EQ(played[joint], stored[joint]) << joint;
+  for (std::size_t k = 0; k < stored[0].size(); ++k)
+    ASSERT_NEAR(played[0][k] - played[0][0], stored[0][k] - stored[0][0], 1e-8) << k;
+}
+
 TEST_F(CliRos, WithoutAMasterPlayingIsRefused) {
   if (lacks("rosmaster")) GTEST_SKIP() << "ROS 1 is not installed";
   ASSERT_EQ(run("simulate --no-images --duration 1 --out " + path("a.capstan")).exit, 0);

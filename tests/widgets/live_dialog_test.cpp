@@ -38,7 +38,8 @@ class LiveDialogTest : public Shell {
   static std::string freePort() { return std::to_string(live::ImageServer("127.0.0.1", 0).port()); }
 
   static live::LiveSetup everyField() {
-    live::LiveSetup setup{.title = "our robot", .robot = {}, .motors = {}, .cameras = live::CamerasSetup{}};
+    live::LiveSetup setup{
+        .title = "our robot", .robot = {}, .motors = {}, .cameras = live::CamerasSetup{}, .commands = {}};
     setup.motors = {.from = "tcp://127.0.0.1:5556",
                     .read_as = "q_m=deg",
                     .encoders = "/arm/encoders",
@@ -105,7 +106,8 @@ TEST_F(LiveDialogTest, AFileThatIsUnchangedIsConnectedTo) {
 TEST_F(LiveDialogTest, PreviewsImagesAndMotorsThatMove) {
   live::ImageServer cameras("127.0.0.1", 0);
   const std::string video = "http://127.0.0.1:" + std::to_string(cameras.port());
-  live::LiveSetup setup{.title = "robot", .robot = {}, .motors = {}, .cameras = live::CamerasSetup{}};
+  live::LiveSetup setup{
+      .title = "robot", .robot = {}, .motors = {}, .cameras = live::CamerasSetup{}, .commands = {}};
   setup.motors.from = "tcp://127.0.0.1:" + freePort();
   setup.motors.motors = {2, 1, 3};
   setup.cameras->left = video + "/left", setup.cameras->right = video + "/right";
@@ -156,7 +158,8 @@ TEST_F(LiveDialogTest, RelativePathsAreThoseBesideTheFile) {
   for (const char* eye : {"left.yaml", "right.yaml"})
     ASSERT_TRUE(QFile::copy(QString::fromStdString(test::resourceFile("cameras").string()) + "/" + eye,
                             file("cameras/") + eye));
-  live::LiveSetup setup{.title = "robot", .robot = {}, .motors = {}, .cameras = live::CamerasSetup{}};
+  live::LiveSetup setup{
+      .title = "robot", .robot = {}, .motors = {}, .cameras = live::CamerasSetup{}, .commands = {}};
   setup.motors.from = "tcp://127.0.0.1:" + freePort();
   setup.cameras->left = "both.mkv", setup.cameras->layout = live::CameraLayout::kSideBySide;
   setup.cameras->calibration = "cameras";
@@ -230,7 +233,8 @@ TEST_F(LiveDialogTest, TopicsOfARosMasterAreOffered) {
 }
 
 TEST_F(LiveDialogTest, PreviewSaysWhyASideCannotBeOpened) {
-  live::LiveSetup setup{.title = "robot", .robot = {}, .motors = {}, .cameras = live::CamerasSetup{}};
+  live::LiveSetup setup{
+      .title = "robot", .robot = {}, .motors = {}, .cameras = live::CamerasSetup{}, .commands = {}};
   setup.motors.from = "tcp://127.0.0.1:" + freePort();
   setup.cameras->left = "/dev/video97", setup.cameras->right = "/dev/video98";
   dialog_.setSetup(setup);

@@ -235,6 +235,7 @@ void LiveDialog::setSetup(const live::LiveSetup& setup) {
   title_->setText(QString::fromStdString(setup.title));
   robot_->setText(QString::fromStdString(setup.robot));
   other_motors_ = setup.motors;
+  commands_ = setup.commands;
   setValue(*from_, setup.motors.from);
   read_as_->setText(QString::fromStdString(setup.motors.read_as));
   for (std::size_t joint = 0; joint < motors_.size(); ++joint) {
@@ -262,6 +263,7 @@ live::LiveSetup LiveDialog::setup() const {
   setup.title = title_->text().toStdString();
   setup.robot = robot_->text().trimmed().toStdString();
   setup.motors = other_motors_;
+  setup.commands = commands_;
   setup.motors.from = valueOf(*from_);
   setup.motors.read_as = read_as_->text().trimmed().toStdString();
   for (std::size_t joint = 0; joint < motors_.size(); ++joint) {

@@ -2,6 +2,7 @@
 
 #include <QDialog>
 #include <array>
+#include <optional>
 
 #include "core/live/live_setup.h"
 
@@ -72,8 +73,9 @@ class LiveDialog : public QDialog {
   QCheckBox* reference_;
   QGroupBox* cameras_;
   QDoubleSpinBox *rate_, *latency_, *pairing_;
-  live::CamerasSetup other_;      ///< fields of the file that the form does not show
-  live::RowsSetup other_motors_;  ///< the same of the motors
+  live::CamerasSetup other_;                     ///< fields of the file that the form does not show
+  live::RowsSetup other_motors_;                 ///< the same of the motors
+  std::optional<live::CommandsSetup> commands_;  ///< of the file; the form does not show them
   QPushButton* preview_button_;
   LivePreviewView* preview_;
   LiveTopics* topics_;

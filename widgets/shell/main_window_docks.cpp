@@ -24,6 +24,7 @@
 #include "widgets/shell/diagnosis_controller.h"
 #include "widgets/shell/dock_layout.h"
 #include "widgets/shell/dock_scroll.h"
+#include "widgets/shell/drive_controller.h"
 #include "widgets/shell/export_controller.h"
 #include "widgets/shell/health_controller.h"
 #include "widgets/shell/identification_controller.h"
@@ -76,6 +77,7 @@ void MainWindow::addDocks() {
       floating("registration", tr("Registration"), registration_ = themed(new RegistrationPanel));
   new RegistrationController({*registration_, *registration_dock_, *scene_, *notes_, *registration_news_},
                              link_, *bar_, this);
+  new DriveController({*registration_, *registration_dock_, *status_, *notes_}, link_, this);
   new IdentificationController(*identification_, *identification, link_, *bar_, *notes_, this);
   auto* errors = new AnalysisController(analysis_->errors(), *centre_, link_, *bar_, *errors_, *notes_, this);
   export_ = new ExportController({*figure_, *notes_, *messages_, *export_news_}, *errors, link_, *bar_, this);

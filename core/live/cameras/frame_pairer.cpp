@@ -11,22 +11,35 @@ bool FramePairer::equalsLast(int side, const cv::Mat& image) const {
          image.isContinuous() && std::memcmp(last.data, image.data, image.total() * image.elemSize()) == 0;
 }
 
-std::optional<FramePair> FramePairer::add(int side, double t, const cv::Mat& image) {
-  const auto own = static_cast<std::size_t>(side), other = 1 - own;
+void FramePairer::exclude(std::size_t side, Held* other) {
+  held_[side].pop_front();
+  if (other != nullptr && other->lost > 0)
+    --other->lost, ++widowed_;
+  else
+    ++unpaired_;
+}
+
+std::optional<FramePair> FramePairer::add(int side, double t, const cv::Mat& image, std::uint64_t lost) {
+  const auto own = static_cast<std::size_t>(side);
   frozen_ += is_frozen_[own] = equalsLast(side, image);
   last_[own] = image;
-  unpaired_ += held_[own].has_value();
-  held_[own] = Held{t, image};
-  if (!held_[other]) return {};
-  if (std::abs(held_[other]->t - t) > tolerance_) {
+  lost_ += lost;
+  if (!held_[own].empty() && t <= held_[own].back().t)
+    while (!held_[own].empty()) exclude(own, nullptr);
+  if (held_[own].size() >= kMost) exclude(own, nullptr);
+  held_[own].push_back({t, image, is_frozen_[own], lost});
+  while (!held_[0].empty() && !held_[1].empty()) {
+    Held &left = held_[0].front(), &right = held_[1].front();
+    if (std::abs(left.t - right.t) <= tolerance_) {
+      FramePair pair{0.5 * (left.t + right.t), left.image, right.image, left.frozen || right.frozen};
+      held_[0].pop_front(), held_[1].pop_front();
+      return pair;
+    }
     // Times of a side rise: the older one of the two has missed its partner.
-    held_[held_[other]->t < t ? other : own].reset();
-    ++unpaired_;
-    return {};
+    const std::size_t older = left.t < right.t ? 0 : 1;
+    exclude(older, &held_[1 - older].front());
   }
-  FramePair pair{0.5 * (held_[0]->t + held_[1]->t), held_[0]->image, held_[1]->image};
-  held_[0].reset(), held_[1].reset();
-  return pair;
+  return {};
 }
 
 }  // namespace capstan::live

@@ -2,6 +2,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <opencv2/videoio.hpp>
 #include <thread>
@@ -34,6 +35,14 @@ void apply(cv::VideoCapture& capture, const VideoSettings& settings) {
   set(cv::CAP_PROP_FOCUS, settings.focus);
 }
 
+/// Whether FFmpeg reads images that are JPEG files (Motion JPEG).
+bool givesJpeg(const cv::VideoCapture& capture) {
+  const int code = static_cast<int>(capture.get(cv::CAP_PROP_FOURCC));
+  return code ==
+             cv::VideoWriter::fourcc('m', 'j', 'p', 'e') ||  // the codec's name, of streams without a code
+         code == cv::VideoWriter::fourcc('M', 'J', 'P', 'G');
+}
+
 }  // namespace
 
 bool isNetworkStream(const std::string& from) { return from.find("://") != std::string::npos; }
@@ -43,10 +52,11 @@ class VideoStream::Impl {
   Impl(const std::string& from, const VideoSettings& settings)
       : file_(std::filesystem::is_regular_file(from)) {
     const bool network = isNetworkStream(from);
-    const int wait = static_cast<int>(kPatience.count());
-    if (network || file_)
+    const int open = static_cast<int>(kOpening.count()), wait = static_cast<int>(kPatience.count());
+    device_ = !network && !file_;
+    if (!device_)
       capture_.open(from, cv::CAP_FFMPEG,
-                    network ? std::vector<int>{cv::CAP_PROP_OPEN_TIMEOUT_MSEC, wait,
+                    network ? std::vector<int>{cv::CAP_PROP_OPEN_TIMEOUT_MSEC, open,
                                                cv::CAP_PROP_READ_TIMEOUT_MSEC, wait}
                             : std::vector<int>{});
     else
@@ -59,21 +69,27 @@ class VideoStream::Impl {
                               "cannot be opened as a camera or video",
                               "Check the device, address or file, and that no other program uses it"});
     if (!file_) apply(capture_, settings);
+    jpeg_ = network && givesJpeg(capture_) && capture_.set(cv::CAP_PROP_FORMAT, -1.0);
     const double rate = settings.rate > 0.0 ? settings.rate : capture_.get(cv::CAP_PROP_FPS);
     if (file_ && rate > 0.0) period_ = std::chrono::duration<double>(1.0 / rate);
   }
 
   bool read(cv::Mat& image) {
     cv::Mat raw;
-    if (!capture_.read(raw) || raw.empty()) return false;
+    if (!capture_.grab()) return false;
+    arrival_ = Clock::now();
+    if (device_) arrival_ = driverTime(capture_.get(cv::CAP_PROP_POS_MSEC), arrival_);
+    if (!capture_.retrieve(raw) || raw.empty()) return false;
+    if (jpeg_) return cv::imdecode(raw, cv::IMREAD_COLOR, &image), !image.empty();
     if (raw.channels() == 3)
       image = raw;
     else
       cv::cvtColor(raw, image, raw.channels() == 1 ? cv::COLOR_GRAY2BGR : cv::COLOR_BGRA2BGR);
-    if (file_) std::this_thread::sleep_until(due());
+    if (file_) std::this_thread::sleep_until(arrival_ = due());
     return true;
   }
   bool isFile() const { return file_; }
+  Clock::time_point arrival() const { return arrival_; }
 
  private:
   Clock::time_point due() {
@@ -82,6 +98,9 @@ class VideoStream::Impl {
   }
 
   const bool file_;
+  bool device_ = false;
+  bool jpeg_ = false;  ///< capture_ gives JPEG files: the time of arrival is known before they are decoded
+  Clock::time_point arrival_;
   cv::VideoCapture capture_;
   std::chrono::duration<double> period_{0.0};
   Clock::time_point start_;
@@ -93,5 +112,14 @@ VideoStream::VideoStream(const std::string& from, const VideoSettings& settings)
 VideoStream::~VideoStream() = default;
 bool VideoStream::read(cv::Mat& image) { return impl_->read(image); }
 bool VideoStream::isFile() const { return impl_->isFile(); }
+Clock::time_point VideoStream::arrival() const { return impl_->arrival(); }
+
+Clock::time_point driverTime(double driver_ms, Clock::time_point read) {
+  const double read_ms = std::chrono::duration<double, std::milli>(read.time_since_epoch()).count();
+  constexpr double kLongest = 1000.0;
+  if (!(driver_ms > read_ms - kLongest && driver_ms <= read_ms)) return read;
+  return read - std::chrono::duration_cast<Clock::duration>(
+                    std::chrono::duration<double, std::milli>(read_ms - driver_ms));
+}
 
 }  // namespace capstan::live

@@ -29,12 +29,22 @@ class VideoStream {
   /// Waits for the next image, 8-bit BGR. False: the stream has ended or gives nothing for kPatience.
   bool read(cv::Mat& image);
   bool isFile() const;
+  /// When the last image arrived: the time at which the driver of a V4L2 device had it (a busy computer reads
+  /// it later), else the time at which it could be read, before it was decoded where that can be told.
+  std::chrono::steady_clock::time_point arrival() const;
 
   static constexpr std::chrono::milliseconds kPatience{1000};
+  /// For opening a network stream: FFmpeg looks at its first images, and RTSP cameras begin with a key image.
+  static constexpr std::chrono::milliseconds kOpening{5000};
 
  private:
   class Impl;
   std::unique_ptr<Impl> impl_;
 };
+
+/// Time of arrival of an image whose driver gives `driver_ms` [ms] on the monotonic clock, and that was read
+/// at `read`. A time that is not within the second before `read` is by another clock: then it is `read`.
+std::chrono::steady_clock::time_point driverTime(double driver_ms,
+                                                 std::chrono::steady_clock::time_point read);
 
 }  // namespace capstan::live

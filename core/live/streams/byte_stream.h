@@ -9,11 +9,12 @@
 namespace capstan::live {
 
 enum class ReadState {
-  kBytes,    ///< bytes were read
-  kNothing,  ///< none came within the time
-  kOpened,   ///< another program has connected: what follows begins a new stream
-  kClosed,   ///< that program has disconnected; another one may come
-  kEnded,    ///< nothing more will come
+  kBytes,     ///< bytes were read
+  kNothing,   ///< none came within the time
+  kOpened,    ///< another program has connected: what follows begins a new stream
+  kReplaced,  ///< the same, in place of a program that had to give way
+  kClosed,    ///< that program has disconnected; another one may come
+  kEnded,     ///< nothing more will come
 };
 
 /// Bytes from another program.
@@ -25,6 +26,8 @@ class ByteStream {
   virtual ReadState read(std::string& out, std::chrono::milliseconds wait) = 0;
   /// Sends `reason` to the program that is connected, if it can be told, and disconnects it.
   virtual void refuse(const std::string& reason) = 0;
+  /// What was read so far was of use: the program that is connected keeps its place.
+  virtual void confirm() {}
   /// The address, with the port in use.
   virtual std::string name() const = 0;
 };

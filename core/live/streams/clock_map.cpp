@@ -7,55 +7,92 @@
 
 namespace capstan::live {
 
-void ClockMap::restart(double stamp, double delay) {
-  bins_.assign(1, {stamp, delay});
-  bin_begin_ = origin_ = newest_ = stamp;
-  level_ = delay, slope_ = 0.0;
-  deviating_ = false, started_ = true;
+bool ClockMap::Deviation::lasts(const Pair& pair, double time) {
+  const double arrival = pair.stamp + pair.delay;
+  if (!on) since = arrival, lowest = pair;
+  if (pair.delay < lowest.delay) lowest = pair;
+  on = true;
+  return arrival - since >= time;
+}
+
+void ClockMap::forget() {
+  started_ = false;
+  streams_ = {};
+}
+
+void ClockMap::restart(const Pair& pair) {
+  bins_.assign(1, pair);
+  bin_begin_ = origin_ = newest_ = pair.stamp;
+  begun_ = pair.stamp + pair.delay;
+  level_ = pair.delay, slope_ = 0.0;
+  for (Stream& stream : streams_) stream.jumped = false;
+  stepped_.on = late_.on = false;
+  started_ = true;
   pairs_ = 1;
 }
 
-bool ClockMap::add(double stamp, double arrival) {
-  const double delay = arrival - stamp;
-  if (!started_) {
-    restart(stamp, delay);
-    return false;
-  }
-  const double above = delay - line(stamp);
-  const double tolerance = kStep + 5.0 * mean_delay_;
-  if (above < -kStep || above > tolerance) {
-    if (!deviating_) deviating_since_ = arrival, nearest_ = {stamp, delay};
-    if (delay < nearest_.delay) nearest_ = {stamp, delay};
-    deviating_ = true;
-    if (arrival - deviating_since_ < kStepTime) return false;
+/// Back, or ahead of the arrivals and below the line. A line that has just begun may be too high, and pairs
+/// that were lost in a backlog look like a jump ahead.
+bool ClockMap::hasJumped(const Stream& stream, double stamp, double arrival) const {
+  if (!stream.started) return false;
+  const double passed = stamp - stream.stamp;
+  if (passed < 0.0) return true;
+  return passed - (arrival - stream.arrival) > kStep && arrival - stamp - line(stamp) < -kStep &&
+         arrival - begun_ > kSettling;
+}
+
+bool ClockMap::add(double stamp, double arrival, std::size_t stream) {
+  const Pair pair{stamp, arrival - stamp};
+  Stream& own = streams_.at(stream);
+  if (!started_) restart(pair);
+  own.jumped |= hasJumped(own, stamp, arrival);
+  own.started = true, own.stamp = stamp, own.arrival = arrival;
+  const double above = pair.delay - line(stamp);
+  if (own.jumped && std::abs(above) > kStep) {
+    if (!stepped_.lasts(pair, kStepTime)) return false;
     ++steps_;
-    restart(nearest_.stamp, nearest_.delay);
+    restart(Pair(stepped_.lowest));
     return true;
   }
-  deviating_ = false;
+  own.jumped = false;
+  if (std::ranges::none_of(streams_, &Stream::jumped)) stepped_.on = false;
+  if (above < -kStep) {
+    restart(pair);
+    return false;
+  }
+  if (above <= kTooLate)
+    late_.on = false;
+  else if (late_.lasts(pair, kTooLateFor))
+    restart(Pair(late_.lowest));
+  else
+    return false;
+  take(pair, pair.delay - line(stamp));
+  return false;
+}
+
+void ClockMap::take(const Pair& pair, double above) {
+  const auto& [stamp, delay, count] = pair;
   newest_ = std::max(newest_, stamp);
   ++pairs_;
   constexpr double kForget = 1e-3;
   mean_delay_ += std::max(kForget, 1.0 / pairs_) * (std::max(above, 0.0) - mean_delay_);
-  const bool lower = above < 0.0;
   if (stamp - bin_begin_ >= kBin) {
-    bins_.push_back({stamp, delay});
+    bins_.push_back(pair);
     bin_begin_ = stamp;
     while (bins_.front().stamp < stamp - kWindow) bins_.pop_front();
     fit();
-    return false;
+    return;
   }
   Pair& bin = bins_.back();
-  ++bin.count;
+  bin.count += count;
   if (delay - slope_ * stamp < bin.delay - slope_ * bin.stamp) {
     bin.stamp = stamp, bin.delay = delay;
-    if (lower) fit();
+    if (above < 0.0) fit();
   }
-  return false;
 }
 
 /// The edge of the lower convex hull at the mean stamp: of all lines below the pairs it has the smallest sum
-/// of distances from them.
+/// of distances from them. With the drift at its bound, the line touches the pairs from below.
 void ClockMap::fit() {
   double mean = 0.0;
   for (const Pair& pair : bins_) mean += pair.stamp / static_cast<double>(bins_.size());
@@ -81,6 +118,9 @@ void ClockMap::fit() {
   const Pair &a = hull[k - 1], &b = hull[k];
   origin_ = a.stamp, level_ = a.delay;
   slope_ = (b.delay - a.delay) / (b.stamp - a.stamp);
+  if (std::abs(slope_) <= kMostDrift) return;
+  slope_ = std::copysign(kMostDrift, slope_);
+  for (const Pair& pair : bins_) level_ = std::min(level_, pair.delay - slope_ * (pair.stamp - origin_));
 }
 
 double ClockMap::toSession(double stamp) const { return stamp + line(stamp); }

@@ -4,24 +4,46 @@
 
 namespace capstan::live {
 
+bool RowTimes::runsAhead(double time, double arrival) const {
+  const double passed = arrival - begun_;
+  const double waited = passed < kSettling ? kFirstWait - lead_ : 0.0;
+  return time - passed > lead_ + waited + kAhead;
+}
+
+/// lead_ rises at once to that of the rows while it settles; then it follows theirs, no faster than clocks
+/// differ.
+void RowTimes::follow(double time, double arrival) {
+  const double lead = time - (arrival - begun_), most = kFast * (arrival - arrival_);
+  if (arrival - begun_ < kSettling)
+    lead_ = std::max(lead_, lead);
+  else
+    lead_ += std::clamp(lead - lead_, -most, most);
+}
+
 std::optional<double> RowTimes::of(double stamp, double arrival) {
   double time = stamp + offset_;
   if (!started_) {
     started_ = true;
     offset_ = -stamp, time = 0.0;
+    begun_ = arrival_ = arrival;
   } else {
-    constexpr double kLeastPause = 1e-3;  // [s]
+    constexpr double kLeastPause = 1e-3, kLeastStep = 1e-6;  // [s]
     const double passed = std::max(arrival - arrival_, kLeastPause), ahead = stamp - stamp_;
-    if (ahead < -kBack || ahead > arrival - arrival_ + kAhead || (reconnected_ && ahead <= 0.0)) {
+    const bool stepped = ahead < -kBack || runsAhead(time, arrival);
+    if (stepped || (reconnected_ && ahead <= 0.0)) {
       ++steps_;
       last_step_ = ahead - passed;
-      time = time_ + passed;  // not stamp + offset: the stamp may be too large to hold the difference
+      // Not stamp + offset: the stamp may be too large to hold the difference. Where the session's clock is
+      // ahead, it waits for this computer's.
+      const double in_time = arrival - begun_ + lead_;
+      time = time_of_step_ = std::max(time_ + kLeastStep, std::min(time_ + passed, in_time));
       offset_ = time - stamp;
     } else if (ahead <= 0.0 || time <= time_) {
       ++repeated_;
       return {};
     }
   }
+  follow(time, arrival);
   reconnected_ = false;
   stamp_ = stamp, arrival_ = arrival, time_ = time;
   return time;

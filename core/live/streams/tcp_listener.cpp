@@ -1,5 +1,6 @@
 #include "core/live/streams/tcp_listener.h"
 
+#include <fmt/format.h>
 #include <poll.h>
 #include <sys/socket.h>
 
@@ -25,8 +26,12 @@ TcpListener::TcpListener(const Address& address) {
   name_ = std::move(listening.name);
 }
 
+/// Whether a newcomer gets an answer now, rather than when the time of the one that is connected is over.
+bool TcpListener::listens() const { return !client_.isOpen() || useful_ || mustGiveWay(); }
+
 ReadState TcpListener::read(std::string& out, std::chrono::milliseconds wait) {
-  std::array<pollfd, 2> polls = {pollfd{listener_.get(), POLLIN, 0}, pollfd{client_.get(), POLLIN, 0}};
+  std::array<pollfd, 2> polls = {pollfd{listens() ? listener_.get() : -1, POLLIN, 0},
+                                 pollfd{client_.get(), POLLIN, 0}};
   if (::poll(polls.data(), client_.isOpen() ? 2 : 1, static_cast<int>(wait.count())) <= 0)
     return ReadState::kNothing;
   if (client_.isOpen() && polls[1].revents != 0) {
@@ -46,12 +51,15 @@ ReadState TcpListener::read(std::string& out, std::chrono::milliseconds wait) {
 ReadState TcpListener::accept() {
   FileDescriptor caller(::accept4(listener_.get(), nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK));
   if (!caller.isOpen()) return ReadState::kNothing;
-  if (client_.isOpen()) {
+  const bool replaces = client_.isOpen();
+  if (replaces && !mustGiveWay()) {
     send(caller.get(), "error: another program is connected\n");
     return ReadState::kNothing;
   }
+  if (replaces) refuse(fmt::format("no valid row for {} s, and another program has come", kPatience.count()));
   client_ = std::move(caller);
-  return ReadState::kOpened;
+  useful_at_ = Clock::now(), useful_ = false;
+  return replaces ? ReadState::kReplaced : ReadState::kOpened;
 }
 
 void TcpListener::refuse(const std::string& reason) {

@@ -5,7 +5,9 @@
 
 namespace capstan::live {
 
-/// Listens on a TCP port and reads from one program at a time; a second one is told so and disconnected.
+/// Listens on a TCP port and reads from one program at a time; a second one is told so and disconnected. A
+/// program that nothing of use has come from for kPatience (confirm()) holds the place only until another one
+/// comes; before its first use a newcomer waits for that time.
 class TcpListener final : public ByteStream {
  public:
   /// Throws base::InputError with the reason where the port cannot be listened on.
@@ -13,13 +15,22 @@ class TcpListener final : public ByteStream {
 
   ReadState read(std::string& out, std::chrono::milliseconds wait) override;
   void refuse(const std::string& reason) override;
+  void confirm() override { useful_at_ = Clock::now(), useful_ = true; }
   std::string name() const override { return name_; }
 
+  static constexpr std::chrono::seconds kPatience{2};
+
  private:
+  using Clock = std::chrono::steady_clock;
+
+  bool listens() const;
+  bool mustGiveWay() const { return Clock::now() - useful_at_ >= kPatience; }
   ReadState accept();
 
   FileDescriptor listener_, client_;
   std::string name_;
+  Clock::time_point useful_at_;  ///< when the client has connected, or was confirmed last
+  bool useful_ = false;          ///< it was confirmed
 };
 
 }  // namespace capstan::live

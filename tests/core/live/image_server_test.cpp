@@ -61,6 +61,31 @@ TEST_F(Served, EachEyeAndBothComeInOrder) {
   EXPECT_NEAR(levelOf(image.colRange(64, 128)) - levelOf(image.colRange(0, 64)), 100, 1);
 }
 
+/// Two streams that are decoded at different times still have the times at which they came.
+TEST(VideoStream, SaysWhenAnImageCameNotWhenItWasDecoded) {
+  ImageServer server("127.0.0.1", 0);
+  cv::Mat noise(720, 1280, CV_8UC3), image;
+  cv::randu(noise, 0, 255);
+  std::atomic<bool> quit = false;
+  std::thread serving([&] {
+    while (!quit) {
+      server.publish(noise, noise);
+      std::this_thread::sleep_for(50ms);
+    }
+  });
+  {
+    VideoStream stream("http://127.0.0.1:" + std::to_string(server.port()) + "/left", {});
+    for (int k = 0; k < 3; ++k) {
+      ASSERT_TRUE(stream.read(image));
+      EXPECT_EQ(image.size(), noise.size());
+      EXPECT_GT(std::chrono::steady_clock::now() - stream.arrival(), 1ms)
+          << "no computer decodes a million pixels of noise in less";
+    }
+  }
+  quit = true;
+  serving.join();
+}
+
 TEST_F(Served, ManyClientsThatComeAndGoDisturbNobody) {
   VideoStream left(at("/left"), {});
   for (int k = 0; k < 20; ++k) VideoStream(at(k % 2 ? "/right" : "/both"), {});

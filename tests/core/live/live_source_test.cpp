@@ -138,6 +138,63 @@ TEST(LiveSource, TellsASecondProgramThatAnotherIsConnected) {
   EXPECT_EQ(source.sides().front().connections, 1U);
 }
 
+/// A program that connects and says nothing holds the place for 2 s at most when another one comes.
+TEST(LiveSource, ASilentStrangerGivesWayToTheRobot) {
+  LiveSource source(listening());
+  TcpSender stranger(addressOf(source));
+  ASSERT_TRUE(eventually([&] { return source.sides().front().connected; }));
+  EXPECT_NE(tracking::shortTextOf(source.sides().front()).find("no valid row yet"), std::string::npos);
+  const auto begin = std::chrono::steady_clock::now();
+  TcpSender robot(addressOf(source));
+  robot.send(formatMeasuredTable(movingTable(100)));
+  ASSERT_TRUE(eventually([&] { return source.sides().front().received == 100; }));
+  const double waited = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  EXPECT_GT(waited, 1.5);
+  EXPECT_LT(waited, 3.0);
+  EXPECT_EQ(stranger.answer(), "error: no valid row for 2 s, and another program has come\n");
+  EXPECT_EQ(robot.answer(), "");
+  const tracking::SideStatus status = source.sides().front();
+  EXPECT_EQ(status.state, State::kReceiving);
+  EXPECT_EQ(status.connections, 2U);
+  EXPECT_EQ(status.refused, 1U);
+  EXPECT_NE(tracking::textOf(status).find("a program without a valid row for 2 s gave way to another one"),
+            std::string::npos)
+      << tracking::textOf(status);
+}
+
+/// Also one that sent rows and then fell silent, as a computer that was switched off; not before 2 s.
+TEST(LiveSource, ARobotThatFellSilentGivesWayToItsSuccessor) {
+  LiveSource source(listening());
+  TcpSender before(addressOf(source));
+  before.send(formatMeasuredTable(movingTable(100)));
+  ASSERT_TRUE(eventually([&] { return source.sides().front().received == 100; }));
+  {
+    TcpSender early(addressOf(source));
+    std::string answer;
+    ASSERT_TRUE(eventually([&] { return !(answer = early.answer()).empty(); }));
+    EXPECT_EQ(answer, "error: another program is connected\n");
+  }
+  std::this_thread::sleep_for(2100ms);
+  EXPECT_EQ(source.sides().front().refused, 0U) << "nobody has come";
+  TcpSender after(addressOf(source));
+  after.send(formatMeasuredTable(movingTable(100)));
+  ASSERT_TRUE(eventually([&] { return source.sides().front().received == 200; }));
+  EXPECT_EQ(source.sides().front().refused, 1U);
+}
+
+/// Bytes that never become a row are no rows.
+TEST(LiveSource, AStrangerThatDripsBytesGivesWay) {
+  LiveSource source(listening());
+  TcpSender stranger(addressOf(source));
+  ASSERT_TRUE(eventually([&] { return source.sides().front().connected; }));
+  TcpSender robot(addressOf(source));
+  robot.send(formatMeasuredTable(movingTable(100)));
+  ASSERT_TRUE(eventually([&] {
+    stranger.send("t,");
+    return source.sides().front().received == 100;
+  }));
+}
+
 TEST(LiveSource, ReadsAFifoOfSeveralWriters) {
   const auto path = std::filesystem::temp_directory_path() / ("capstan_fifo_" + std::to_string(getpid()));
   ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);

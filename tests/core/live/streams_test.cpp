@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <random>
 
 #include "core/base/error.h"
@@ -181,6 +183,84 @@ TEST(RowTimes, GoOnWhereAnotherProgramConnects) {
   EXPECT_NEAR(*times.of(0.011, 5.071), 0.071, 1e-9) << "the same program as before";
   EXPECT_EQ(times.steps(), 1U);
   EXPECT_EQ(times.repeated(), 0U);
+}
+
+/// Rows whose stamps lie in the future, in every way that each row for itself may.
+TEST(RowTimes, AreNeverAheadOfThisComputersClock) {
+  const auto largestLead = [](const auto& stampOf, double rows_per_arrival) {
+    RowTimes times;
+    double largest = 0.0, last = -1.0;
+    for (int k = 0; k < 200000; ++k) {
+      const double arrival = 5.0 + 1e-3 * std::floor(k / rows_per_arrival);
+      const auto time = times.of(stampOf(k), arrival);
+      if (!time) continue;
+      EXPECT_GT(*time, last) << k;
+      last = *time;
+      largest = std::max(largest, *time - (arrival - 5.0) * (1.0 + RowTimes::kFast));
+    }
+    return largest;
+  };
+  constexpr double kLead = RowTimes::kFirstWait + 2.0 * RowTimes::kAhead + 0.2;  // 200 000 rows, each 1 µs
+  const auto even = [](int k) { return 1e-3 * k; };
+  EXPECT_LT(largestLead(even, 1.0), 1e-9);
+  EXPECT_LT(largestLead([](int k) { return 0.29 * k; }, 1.0), kLead) << "each row 0.29 s ahead";
+  EXPECT_LT(largestLead([](int k) { return 1e-3 * k + (k % 2) * 0.29; }, 1.0), kLead) << "every other row";
+  EXPECT_LT(largestLead([](int k) { return 1e-3 * k + (k % 1000 == 999) * 0.29; }, 1.0), kLead)
+      << "one of 1000";
+  EXPECT_LT(largestLead(even, 2.0), kLead) << "a clock of twice the rate";
+  EXPECT_LT(largestLead([](int k) { return k % 2 * 5.0; }, 100.0), kLead) << "steps within one packet";
+}
+
+TEST(RowTimes, FollowAClockThatIsFastByAPerThousand) {
+  RowTimes times;
+  for (int k = 0; k < 3600000; k += 10) {
+    const double true_time = 1e-3 * k;
+    ASSERT_NEAR(*times.of(1.001 * true_time, 5.0 + true_time), 1.001 * true_time, 1e-6);
+  }
+  EXPECT_EQ(times.steps(), 0U);
+}
+
+/// Rows that were lost while the receiver was held up leave a gap in the stamps, and none in the arrivals.
+TEST(RowTimes, TakeABacklogWithLostRowsForNoStep) {
+  RowTimes times;
+  for (int k = 0; k < 20000; ++k) {
+    const double stamp = 1e-3 * k;
+    if (stamp >= 10.0 && stamp < 10.8) continue;
+    ASSERT_NEAR(*times.of(stamp, 5.0 + (stamp >= 10.0 && stamp < 11.0 ? 11.0 : stamp)), stamp, 1e-9);
+  }
+  EXPECT_EQ(times.steps(), 0U);
+}
+
+/// After an hour in which the clock has lost 0.36 s, under jitter.
+TEST(RowTimes, RecogniseAStepOfASlowClock) {
+  for (const double step : {0.5, -0.5}) {
+    std::mt19937 random(3);
+    std::exponential_distribution<double> delay(1.0 / 0.02);
+    RowTimes times;
+    double last_arrival = 0.0;
+    for (int k = 0; k < 370000; ++k) {
+      const double t = 1e-2 * k;
+      last_arrival = std::max(last_arrival, 5.0 + t + delay(random));
+      const auto time = times.of((1.0 - 1e-4) * t + (t > 3600.0 ? step : 0.0), last_arrival);
+      if (!time) continue;
+      ASSERT_NEAR(*time, (1.0 - 1e-4) * t, t > 3600.0 ? 0.15 : 1e-6) << step;
+    }
+    EXPECT_EQ(times.steps(), 1U) << step;
+    EXPECT_NEAR(times.lastStep(), step, 0.2);
+  }
+}
+
+/// The receiver is held up for a second at the begin and later: what has waited comes at once.
+TEST(RowTimes, KeepTheStampsOfABacklog) {
+  RowTimes times;
+  for (int k = 0; k < 20000; ++k) {
+    const double stamp = 1e-3 * k;
+    double arrival = 5.0 + stamp;
+    if (stamp < 1.0) arrival = 6.0;
+    if (stamp >= 10.0 && stamp < 11.5) arrival = 16.5;
+    ASSERT_NEAR(*times.of(stamp, arrival), stamp, 1e-9);
+  }
+  EXPECT_EQ(times.steps(), 0U);
 }
 
 TEST(RowTimes, RiseAfterAStampThatHoldsNoFraction) {

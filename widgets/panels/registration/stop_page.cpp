@@ -8,6 +8,7 @@
 #include <QVariant>
 
 #include "core/base/units.h"
+#include "widgets/panels/registration/drive_bar.h"
 
 namespace capstan::widgets {
 
@@ -53,6 +54,9 @@ StopPage::StopPage(QWidget* parent) : QWidget(parent) {
   grid->addWidget(state_, 6, 0, 1, 5);
   override_ = new QCheckBox("The arm is at a known pose: use the encoders although it is not at the stop");
   grid->addWidget(override_, 7, 0, 1, 5);
+  commands_ = new DriveBar;
+  commands_->hide();
+  grid->addWidget(commands_, 8, 0, 1, 5);
   drive_ = new QPushButton("Drive to the hard stop");
   collect_ = new QPushButton("Collect frames");
   collect_->setProperty("primary", true);
@@ -60,15 +64,20 @@ StopPage::StopPage(QWidget* parent) : QWidget(parent) {
   row->addWidget(drive_);
   row->addStretch(1);
   row->addWidget(collect_);
-  grid->setRowStretch(8, 1);
-  grid->addLayout(row, 9, 0, 1, 5);
+  grid->setRowStretch(9, 1);
+  grid->addLayout(row, 10, 0, 1, 5);
   connect(drive_, &QPushButton::clicked, this, &StopPage::driveRequested);
   connect(override_, &QCheckBox::toggled, this, &StopPage::overrideChanged);
   connect(collect_, &QPushButton::clicked, this, &StopPage::collectRequested);
   setDrivable(false);
 }
 
-void StopPage::setTheme(const Theme& theme) { theme_ = theme; }
+void StopPage::setTheme(const Theme& theme) {
+  theme_ = theme;
+  commands_->setTheme(theme);
+}
+
+void StopPage::setCommandable(bool commandable) { commands_->setVisible(commandable); }
 
 void StopPage::setDrivable(bool drivable) {
   drivable_ = drivable;

@@ -13,6 +13,8 @@ class QPushButton;
 
 namespace capstan::widgets {
 
+class DriveBar;
+
 /// Step 1: the arm moves to its hard stop; shows each joint's distance from it, and the time at rest.
 class StopPage : public QWidget {
   Q_OBJECT
@@ -23,6 +25,9 @@ class StopPage : public QWidget {
   /// Sets whether the source can be commanded. If so there is a button; otherwise the user moves the arm by
   /// hand and may confirm that it is at the hard stop.
   void setDrivable(bool drivable);
+  /// Sets whether commands can be sent to the real robot of the session: then there is a bar for them.
+  void setCommandable(bool commandable);
+  DriveBar& driveBar() { return *commands_; }
   /// Sets whether the session has ended, so that nothing moves and no more frames arrive.
   void setEnded(bool ended);
   void showGuide(const registration::RegistrationGuide& guide);
@@ -40,6 +45,7 @@ class StopPage : public QWidget {
   QLabel* state_;
   QPushButton* drive_;
   QCheckBox* override_;
+  DriveBar* commands_;
   QPushButton* collect_;
   bool drivable_ = false, ended_ = false;
 };

@@ -99,6 +99,10 @@ void StatusLine::setRobot(const QString& words, const QString& changes) {
   labels_[kRobot]->setToolTip(changes.isEmpty() ? tr("The filter uses the source's own robot") : changes);
 }
 
+void StatusLine::setCommands(const QString& words, bool loud) {
+  set(kCommands, words, loud ? Tone::kFault : Tone::kPlain);
+}
+
 void StatusLine::setSource(const QString& source) { set(kSource, source); }
 
 void StatusLine::setRemedies(const QList<QAction*>& remedies) {

@@ -32,6 +32,9 @@ class StatusLine : public QWidget {
   void setRobot(const QString& words, const QString& changes);
   /// Sets the name of the replayed source, as "recording trial.capstan"; empty for a simulation.
   void setSource(const QString& source);
+  /// Sets the state of commands to the real robot; empty: it cannot be commanded. `loud`: they are armed, or
+  /// were stopped.
+  void setCommands(const QString& words, bool loud);
   /// Sets the actions of a button beside the NIS. It is shown while the NIS is too high or the filter
   /// estimates a transmission error.
   void setRemedies(const QList<QAction*>& remedies);
@@ -49,6 +52,7 @@ class StatusLine : public QWidget {
     kSource,
     kState,
     kSides,
+    kCommands,
     kRobot,
     kSpeed,
     kMotor,
