@@ -2,7 +2,9 @@
 
 #include <QAction>
 #include <QActionGroup>
+#include <QDir>
 #include <QDockWidget>
+#include <QFileInfo>
 #include <QStackedWidget>
 
 #include "widgets/panels/calibration/calibration_panel.h"
@@ -74,7 +76,9 @@ void MainWindow::addDocks() {
   new MarkerController(*marker, *floating("marker", tr("Marker"), marker), link_, *bar_, this);
   registration_dock_ =
       floating("registration", tr("Registration"), registration_ = themed(new RegistrationPanel));
-  new RegistrationController({*registration_, *registration_dock_, *scene_, *notes_, *registration_news_},
+  const QDir folder = QFileInfo(settings_->fileName()).dir();
+  new RegistrationController({*registration_, *registration_dock_, *scene_, *notes_, *registration_news_,
+                              folder.filePath("registrations.yaml").toStdString()},
                              link_, *bar_, this);
   new IdentificationController(*identification_, *identification, link_, *bar_, *notes_, this);
   auto* errors = new AnalysisController(analysis_->errors(), *centre_, link_, *bar_, *errors_, *notes_, this);

@@ -1,12 +1,15 @@
 #include "widgets/shell/registration_controller.h"
 
 #include <QAction>
+#include <QDateTime>
 #include <QDockWidget>
 
+#include "core/base/error.h"
 #include "core/base/units.h"
 #include "core/simulation/camera_mounting.h"
 #include "core/simulation/simulated_source.h"
 #include "widgets/panels/notes/notes_panel.h"
+#include "widgets/panels/registration/history_page.h"
 #include "widgets/panels/registration/poses_page.h"
 #include "widgets/panels/registration/registration_panel.h"
 #include "widgets/scene/scene_view.h"
@@ -31,6 +34,8 @@ RegistrationController::RegistrationController(const Views& views, SessionLink& 
   connect(&link, &SessionLink::opened, this, [this](const tracking::SourceInfo& info) {
     if (!link_.again()) accepted_.reset();
     in_use_ = accepted_ ? accepted_ : info.base_from_camera;
+    views_.panel.historyPage().setCurrent(in_use_);
+    views_.panel.historyPage().setRobot(info.robot);
     of_poses_ = of_poses_ && accepted_;
     now_ = info.begin;
     if (accepted_) keepAccepted();
@@ -62,6 +67,7 @@ void RegistrationController::addAction(SessionBar& bar) {
   connect(action, &QAction::triggered, this, [this](bool shown) {
     if (shown && link_.runner() && !views_.panel.active()) begin();
     if (!shown) return;
+    readHistory();
     views_.dock.activateWindow();
     focusFirst(views_.panel);
   });
@@ -84,6 +90,8 @@ void RegistrationController::connectPanel() {
     command(&SimulatedSource::resume);
     views_.notes.addEvent(now_, "registration", tr("rejected: %1").arg(reason));
   });
+  connect(&views_.panel, &RegistrationPanel::decided, this, &RegistrationController::addToHistory);
+  connect(&views_.panel.historyPage(), &HistoryPage::useRequested, this, &RegistrationController::useAgain);
   connect(&views_.panel, &RegistrationPanel::finished, this, [this] {
     command(&SimulatedSource::resume);
     views_.dock.hide();
@@ -93,8 +101,46 @@ void RegistrationController::connectPanel() {
 void RegistrationController::use(const Eigen::Isometry3d& base_from_camera, const QString& how) {
   if (link_.runner()) link_.runner()->setRegistration(base_from_camera);
   in_use_ = accepted_ = base_from_camera;
+  views_.panel.historyPage().setCurrent(in_use_);
   views_.scene.setRegistration(base_from_camera);
   views_.notes.addEvent(now_, "registration", how);
+}
+
+void RegistrationController::addToHistory(registration::HistoryEntry entry) {
+  entry.date = QDateTime::currentDateTime().toString(Qt::ISODate).toStdString();
+  if (link_.runner()) {
+    entry.robot = link_.runner()->robot().name;
+    entry.session = link_.runner()->info().title;
+  }
+  HistoryPage& page = views_.panel.historyPage();
+  try {
+    page.setEntries(registration::addToHistory(views_.history, entry));
+    page.showFault({});
+  } catch (const base::InputError& error) {
+    page.showFault(QString::fromUtf8(error.what()));
+    views_.news.showMessage(
+        tr("The registration was not added to the history: %1").arg(QString::fromUtf8(error.what())));
+  }
+}
+
+void RegistrationController::readHistory() {
+  HistoryPage& page = views_.panel.historyPage();
+  try {
+    page.setEntries(registration::readHistory(views_.history));
+    page.showFault({});
+  } catch (const base::InputError& error) {
+    page.setEntries({});
+    page.showFault(QString::fromUtf8(error.what()));
+  }
+}
+
+/// Puts a registration of the history or of a file in use.
+void RegistrationController::useAgain(const registration::HistoryEntry& entry) {
+  of_poses_ = false;
+  use(*entry.pose(), tr("%1 %2").arg(QString::fromUtf8(base::nameOf(entry.decision).data()),
+                                     QString::fromStdString(entry.reason)));
+  addToHistory(entry);
+  if (!views_.panel.active()) begin();
 }
 
 /// Poses are tips by the robot's constants: with other constants, the registration that was fitted to them is
@@ -112,8 +158,11 @@ void RegistrationController::followRobot() {
                           "%1 mm instead of %2 mm.")
                            .arg(after, 0, 'f', 2)
                            .arg(before, 0, 'f', 2),
-                       {{tr("Register again"), [this, pose = fit.base_from_camera] {
-                           use(pose, tr("fitted again to the same poses"));
+                       {{tr("Register again"), [this, fit] {
+                           auto entry = registration::entryOf(registration::Decision::kAccepted, fit);
+                           entry.reason = "fitted again to the same poses, with other constants of the robot";
+                           use(fit.base_from_camera, tr("fitted again to the same poses"));
+                           addToHistory(entry);
                          }}});
 }
 

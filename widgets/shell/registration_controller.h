@@ -2,7 +2,10 @@
 
 #include <Eigen/Geometry>
 #include <QObject>
+#include <filesystem>
 #include <optional>
+
+#include "core/registration/registration_history.h"
 
 class QDockWidget;
 
@@ -25,7 +28,7 @@ class SessionLink;
 /// Connects the registration panel to the running session: moves the simulated arm, passes the accepted pose
 /// of the cameras to the pipeline and the scene, and adds an entry in the bar and notes. When the robot
 /// changes, as by an identification, poses that the registration in use was fitted to are fitted again, and
-/// the better registration is offered.
+/// the better registration is offered. Keeps the history of all decisions.
 class RegistrationController : public QObject {
   Q_OBJECT
 
@@ -36,6 +39,7 @@ class RegistrationController : public QObject {
     SceneView& scene;
     NotesPanel& notes;
     MessageBar& news;
+    std::filesystem::path history;  ///< file of the history of registrations
   };
   RegistrationController(const Views& views, SessionLink& link, SessionBar& bar, QObject* parent);
 
@@ -47,6 +51,9 @@ class RegistrationController : public QObject {
   void keepAccepted();
   void use(const Eigen::Isometry3d& base_from_camera, const QString& how);
   void followRobot();
+  void addToHistory(registration::HistoryEntry entry);
+  void readHistory();
+  void useAgain(const registration::HistoryEntry& entry);
 
   Views views_;
   SessionLink& link_;

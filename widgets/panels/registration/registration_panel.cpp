@@ -7,6 +7,7 @@
 #include <QTabWidget>
 
 #include "widgets/panels/registration/collect_page.h"
+#include "widgets/panels/registration/history_page.h"
 #include "widgets/panels/registration/poses_page.h"
 #include "widgets/panels/registration/result_page.h"
 #include "widgets/panels/registration/step_bar.h"
@@ -24,8 +25,10 @@ RegistrationPanel::RegistrationPanel(QWidget* parent) : QWidget(parent) {
   tabs_->setDocumentMode(true);  // no frame within the frame
   tabs_->addTab(makeHardStop(), "Hard stop");
   tabs_->addTab(poses_ = new PosesPage, "Several poses");
+  tabs_->addTab(history_ = new HistoryPage, "History");
   tabs_->setTabToolTip(0, "One pose: the position of the cameras; their rotation is known");
   tabs_->setTabToolTip(1, "Position and rotation of the cameras");
+  tabs_->setTabToolTip(2, "Earlier registrations: compare, restore, export");
   ended_ = new QLabel(
       "The session has ended: the arm cannot be driven and no frames arrive. Begin it again (Space).");
   ended_->setWordWrap(true);
@@ -40,6 +43,7 @@ RegistrationPanel::RegistrationPanel(QWidget* parent) : QWidget(parent) {
   setWindowTitle("Register cameras");
   connect(poses_, &PosesPage::accepted, this, &RegistrationPanel::accepted);
   connect(poses_, &PosesPage::rejected, this, &RegistrationPanel::rejected);
+  connect(poses_, &PosesPage::decided, this, &RegistrationPanel::decided);
   connect(close_, &QPushButton::clicked, this, [this] {
     if (guide_) guide_->leave();
     poses_->stop();
@@ -87,13 +91,21 @@ QWidget* RegistrationPanel::makeHardStop() {
     if (!guide_ || !guide_->proposal()) return;
     guide_->accept();
     const auto pose = guide_->proposal()->registration.base_from_camera;
+    const auto entry =
+        registration::entryOf(registration::Decision::kAccepted, *guide_->proposal(), guide_->scatter());
     finish("The new registration is in use.");
     Q_EMIT accepted(pose, result_->summary());
+    Q_EMIT decided(entry);
   });
   connect(result_, &ResultPage::rejectRequested, this, [this](const QString& reason) {
+    if (!guide_ || !guide_->proposal()) return;
+    auto entry =
+        registration::entryOf(registration::Decision::kRejected, *guide_->proposal(), guide_->scatter());
+    entry.reason = reason.toStdString();
     guide_->reject(reason.toStdString());
     finish("Rejected: " + reason + ".\nThe registration in use stays.");
     Q_EMIT rejected(reason);
+    Q_EMIT decided(entry);
   });
   return page;
 }
@@ -105,6 +117,7 @@ void RegistrationPanel::setTheme(const Theme& theme) {
   collect_->setTheme(theme);
   result_->setTheme(theme);
   poses_->setTheme(theme);
+  history_->setTheme(theme);
 }
 
 void RegistrationPanel::begin(const tracking::SourceInfo& source,
@@ -114,6 +127,7 @@ void RegistrationPanel::begin(const tracking::SourceInfo& source,
   stop_->setDrivable(source.live);
   result_->setRig(source.robot, source.rig);
   poses_->begin(source.robot, current);
+  history_->setRobot(source.robot);
   close_->setText("Cancel");
   shown_ = RegistrationStep::kIdle;
   refresh();

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/registration/registration_guide.h"
+#include "core/registration/registration_history.h"
 #include "core/tracking/snapshot.h"
 #include "core/tracking/source.h"
 #include "core/vision/registration.h"
@@ -18,14 +19,16 @@ class QTabWidget;
 namespace capstan::widgets {
 
 class CollectPage;
+class HistoryPage;
 class PosesPage;
 class ResultPage;
 class StepBar;
 class StopPage;
 
 /// Registration during the running session: at the hard stop in three steps, by a
-/// registration::RegistrationGuide, or in several poses, which also gives the rotation (PosesPage). The owner
-/// passes it every snapshot with camera_updated and, for the overlay, frames.
+/// registration::RegistrationGuide, or in several poses, which also gives the rotation (PosesPage); and the
+/// history of both (HistoryPage). The owner passes it every snapshot with camera_updated and, for the
+/// overlay, frames.
 class RegistrationPanel : public QWidget {
   Q_OBJECT
 
@@ -50,6 +53,7 @@ class RegistrationPanel : public QWidget {
   CollectPage& collectPage() { return *collect_; }
   ResultPage& resultPage() { return *result_; }
   PosesPage& posesPage() { return *poses_; }
+  HistoryPage& historyPage() { return *history_; }
   QSize sizeHint() const override { return {680, 620}; }
 
  signals:
@@ -57,6 +61,8 @@ class RegistrationPanel : public QWidget {
   /// The user accepted the registration; the owner passes it to the pipeline and stores it with the session.
   void accepted(const Eigen::Isometry3d& base_from_camera, const QString& summary);
   void rejected(const QString& reason);
+  /// The user accepted or rejected; follows accepted() and rejected(). Date, robot and session are empty.
+  void decided(const capstan::registration::HistoryEntry& entry);
   /// The user cancelled, or closed the panel after the decision: the panel may be hidden.
   void finished();
 
@@ -72,6 +78,7 @@ class RegistrationPanel : public QWidget {
   int points_shown_ = -1;
   QTabWidget* tabs_;
   PosesPage* poses_;
+  HistoryPage* history_;
   StepBar* steps_;
   QStackedWidget* pages_;
   StopPage* stop_;
