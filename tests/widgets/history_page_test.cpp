@@ -74,7 +74,7 @@ class HistoryPageTest : public testing::Test {
 
 TEST_F(HistoryPageTest, ShowsDateResidualAndReasonNewestFirst) {
   show();
-  EXPECT_EQ(cellAt(0, 0), "2026-11-04 09:30:00");
+  EXPECT_EQ(cellAt(0, 0), "2026-11-04 09:30");
   EXPECT_EQ(cellAt(0, 1), "accepted, in use");
   EXPECT_EQ(cellAt(0, 3), "0.42");
   EXPECT_EQ(cellAt(0, 4), "18, 2 out");
@@ -95,10 +95,10 @@ TEST_F(HistoryPageTest, ComparesWithTheOneInUseOrTwoWithEachOther) {
     return wordsOf(registration::differenceOf(poseAt(from), poseAt(to), robot_));
   };
   EXPECT_EQ(page_.comparison().toStdString(),
-            "From the one in use to 2026-11-01 09:30:00: " + words(2.0, 0.0) + ".");
+            "From the one in use to 2026-11-01 09:30: " + words(2.0, 0.0) + ".");
   page_.select({1, 0});
   EXPECT_EQ(page_.comparison().toStdString(),
-            "From 2026-11-01 09:30:00 to 2026-11-02 09:30:00: " + words(0.0, 4.0) + ".");
+            "From 2026-11-01 09:30 to 2026-11-02 09:30: " + words(0.0, 4.0) + ".");
   page_.select({2});
   EXPECT_TRUE(page_.comparison().contains("no result")) << page_.comparison().toStdString();
 }

@@ -26,7 +26,8 @@ constexpr double kSamePose = 1e-12;  // of numbers that were written and read to
 
 QString shown(std::string_view text) { return QString::fromUtf8(text.data(), static_cast<int>(text.size())); }
 
-QString dateOf(const HistoryEntry& entry) { return shown(entry.date).replace('T', ' '); }
+/// "2026-11-28 18:19": the tooltip has the seconds.
+QString dateOf(const HistoryEntry& entry) { return shown(entry.date).left(16).replace('T', ' '); }
 
 QTableWidgetItem* cell(const QString& text, bool number = false) {
   auto* item = new QTableWidgetItem(text);
@@ -69,7 +70,7 @@ void HistoryPage::makeTable() {
   table_->horizontalHeaderItem(kPoints)->setToolTip(tr("Points used, and excluded"));
   table_->verticalHeader()->hide();
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  table_->horizontalHeader()->setStretchLastSection(true);
+  table_->horizontalHeader()->setSectionResizeMode(kReason, QHeaderView::Stretch);
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setSelectionMode(QAbstractItemView::ExtendedSelection);
@@ -149,6 +150,7 @@ void HistoryPage::fillRow(int row) {
   const auto pose = entry.pose();
   const bool in_use = pose && current_ && pose->isApprox(*current_, kSamePose);
   table_->setItem(row, kDate, cell(dateOf(entry)));
+  table_->item(row, kDate)->setToolTip(shown(entry.date).replace('T', ' '));
   table_->setItem(row, kDecision,
                   cell(shown(base::nameOf(entry.decision)) + (in_use ? tr(", in use") : QString())));
   table_->setItem(row, kMethod, cell(shown(base::nameOf(entry.method))));
@@ -232,7 +234,7 @@ void HistoryPage::restore() {
   if (!entry || !entry->pose()) return;
   HistoryEntry again = *entry;
   again.decision = Decision::kRestored;
-  again.reason = tr("of %1").arg(dateOf(*entry)).toStdString();
+  again.reason = tr("of %1").arg(shown(entry->date).replace('T', ' ')).toStdString();
   Q_EMIT useRequested(again);
 }
 
