@@ -189,7 +189,8 @@ void CameraSide::take(int stream, const cv::Mat& image, Clock::time_point seen, 
 void CameraSide::pass(FramePair pair, double arrival) {
   gaps_.add(pair.t);
   status_.missing = gaps_.missing();
-  if (!queue_.offer(tracking::StereoFrame{pair.t, arrival, std::move(pair.left), std::move(pair.right)}))
+  if (!queue_.offer(
+          tracking::StereoFrame{pair.t, arrival, std::move(pair.left), std::move(pair.right), pair.skew}))
     ++status_.dropped;
 }
 

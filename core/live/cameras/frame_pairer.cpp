@@ -24,7 +24,8 @@ std::optional<FramePair> FramePairer::add(int side, double t, const cv::Mat& ima
     ++unpaired_;
     return {};
   }
-  FramePair pair{0.5 * (held_[0]->t + held_[1]->t), held_[0]->image, held_[1]->image};
+  FramePair pair{0.5 * (held_[0]->t + held_[1]->t), held_[0]->image, held_[1]->image,
+                 held_[1]->t - held_[0]->t};
   held_[0].reset(), held_[1].reset();
   return pair;
 }

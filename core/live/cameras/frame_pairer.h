@@ -11,6 +11,7 @@ namespace capstan::live {
 struct FramePair {
   double t = 0.0;  ///< mean of the times of the two images [s]
   cv::Mat left, right;
+  double skew = 0.0;  ///< time of the right image minus that of the left [s]
 };
 
 /// Pairs the images of two cameras that are not synchronised, by their times.
