@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "core/registration/camera_checks.h"
 #include "core/registration/registration_history.h"
 
 class QDockWidget;
@@ -24,6 +25,7 @@ class RegistrationPanel;
 class SceneView;
 class SessionBar;
 class SessionLink;
+class SettingsUndo;
 
 /// Connects the registration panel to the running session: moves the simulated arm, passes the accepted pose
 /// of the cameras to the pipeline and the scene, and adds an entry in the bar and notes. When the robot
@@ -39,6 +41,7 @@ class RegistrationController : public QObject {
     SceneView& scene;
     NotesPanel& notes;
     MessageBar& news;
+    SettingsUndo& undo;
     std::filesystem::path history;  ///< file of the history of registrations
   };
   RegistrationController(const Views& views, SessionLink& link, SessionBar& bar, QObject* parent);
@@ -51,6 +54,9 @@ class RegistrationController : public QObject {
   void keepAccepted();
   void use(const Eigen::Isometry3d& base_from_camera, const QString& how);
   void followRobot();
+  void watchCameras();
+  void correct(const registration::CameraRemedy& remedy);
+  void useCameras(const vision::ImageCorrection& images, double scale);
   void addToHistory(registration::HistoryEntry entry);
   void readHistory();
   void useAgain(const registration::HistoryEntry& entry);
@@ -60,6 +66,8 @@ class RegistrationController : public QObject {
   double now_ = 0.0;  ///< newest session time [s]
   std::optional<Eigen::Isometry3d> in_use_;
   std::optional<Eigen::Isometry3d> accepted_;  ///< accepted by a user for this source
+  vision::ImageCorrection images_;             ///< correction of the source's images, in use
+  double scale_ = 1.0;                         ///< of the source's base line, in use
   bool of_poses_ = false;                      ///< the registration in use was fitted to the panel's poses
 };
 

@@ -6,6 +6,7 @@
 #include <QStackedWidget>
 #include <QTabWidget>
 
+#include "widgets/panels/registration/camera_strip.h"
 #include "widgets/panels/registration/collect_page.h"
 #include "widgets/panels/registration/history_page.h"
 #include "widgets/panels/registration/poses_page.h"
@@ -38,9 +39,11 @@ RegistrationPanel::RegistrationPanel(QWidget* parent) : QWidget(parent) {
   bottom->addWidget(ended_, 1);
   bottom->addStretch();
   bottom->addWidget(close_);
+  column->addWidget(cameras_ = new CameraStrip);
   column->addWidget(tabs_, 1);
   column->addLayout(bottom);
   setWindowTitle("Register cameras");
+  connect(cameras_, &CameraStrip::remedyRequested, this, &RegistrationPanel::remedyRequested);
   connect(poses_, &PosesPage::accepted, this, &RegistrationPanel::accepted);
   connect(poses_, &PosesPage::rejected, this, &RegistrationPanel::rejected);
   connect(poses_, &PosesPage::decided, this, &RegistrationPanel::decided);
@@ -83,6 +86,8 @@ QWidget* RegistrationPanel::makeHardStop() {
   connect(stop_, &StopPage::collectRequested, this, collect);
   connect(collect_, &CollectPage::againRequested, this, collect);
   connect(result_, &ResultPage::redoRequested, this, collect);
+  connect(collect_, &CollectPage::exchangeRequested, this,
+          [this] { Q_EMIT remedyRequested({.correction = {.exchange = true, .mirror = {}, .flip = {}}}); });
   connect(collect_, &CollectPage::backRequested, this, [this] {
     if (guide_) guide_->back();
     refresh();
@@ -112,6 +117,7 @@ QWidget* RegistrationPanel::makeHardStop() {
 
 void RegistrationPanel::setTheme(const Theme& theme) {
   theme_ = theme;
+  cameras_->setTheme(theme);
   steps_->setTheme(theme);
   stop_->setTheme(theme);
   collect_->setTheme(theme);
@@ -121,9 +127,11 @@ void RegistrationPanel::setTheme(const Theme& theme) {
 }
 
 void RegistrationPanel::begin(const tracking::SourceInfo& source,
-                              const std::optional<Eigen::Isometry3d>& current) {
+                              const std::optional<Eigen::Isometry3d>& current,
+                              const vision::MarkerOptions& marker) {
   guide_ = std::make_unique<registration::RegistrationGuide>(source.robot, source.rig);
   guide_->start(current);
+  cameras_->begin(source.rig, marker);
   stop_->setDrivable(source.live);
   result_->setRig(source.robot, source.rig);
   poses_->begin(source.robot, current);

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 
+#include "core/registration/camera_checks.h"
 #include "core/registration/registration_guide.h"
 #include "core/registration/registration_history.h"
 #include "core/tracking/snapshot.h"
@@ -18,6 +19,7 @@ class QTabWidget;
 
 namespace capstan::widgets {
 
+class CameraStrip;
 class CollectPage;
 class HistoryPage;
 class PosesPage;
@@ -39,7 +41,8 @@ class RegistrationPanel : public QWidget {
   void setTheme(const Theme& theme);
   /// Starts again for a source. `current`: the registration in use, or else the nominal mounting of the
   /// cameras; its rotation is assumed to be known.
-  void begin(const tracking::SourceInfo& source, const std::optional<Eigen::Isometry3d>& current);
+  void begin(const tracking::SourceInfo& source, const std::optional<Eigen::Isometry3d>& current,
+             const vision::MarkerOptions& marker = {});
   void showSnapshot(const tracking::Snapshot& snapshot);
   void showFrames(const cv::Mat& left, const cv::Mat& right, const tracking::Snapshot& snapshot);
 
@@ -49,6 +52,7 @@ class RegistrationPanel : public QWidget {
   /// True while the guide or the collection of poses takes snapshots.
   bool active() const;
   const registration::RegistrationGuide* guide() const { return guide_.get(); }
+  CameraStrip& cameras() { return *cameras_; }
   StopPage& stopPage() { return *stop_; }
   CollectPage& collectPage() { return *collect_; }
   ResultPage& resultPage() { return *result_; }
@@ -61,6 +65,8 @@ class RegistrationPanel : public QWidget {
   /// The user accepted the registration; the owner passes it to the pipeline and stores it with the session.
   void accepted(const Eigen::Isometry3d& base_from_camera, const QString& summary);
   void rejected(const QString& reason);
+  /// The user asked for a correction of the images or the cameras.
+  void remedyRequested(const capstan::registration::CameraRemedy& remedy);
   /// The user accepted or rejected; follows accepted() and rejected(). Date, robot and session are empty.
   void decided(const capstan::registration::HistoryEntry& entry);
   /// The user cancelled, or closed the panel after the decision: the panel may be hidden.
@@ -76,6 +82,7 @@ class RegistrationPanel : public QWidget {
   std::unique_ptr<registration::RegistrationGuide> guide_;
   registration::RegistrationStep shown_ = registration::RegistrationStep::kIdle;
   int points_shown_ = -1;
+  CameraStrip* cameras_;
   QTabWidget* tabs_;
   PosesPage* poses_;
   HistoryPage* history_;
