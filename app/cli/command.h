@@ -22,6 +22,7 @@ void addExperiment(CLI::App& app, ExitCode& exit);
 void addMerge(CLI::App& app, ExitCode& exit);
 void addCalibrate(CLI::App& app, ExitCode& exit);
 void addRegister(CLI::App& app, ExitCode& exit);
+void addRegistrations(CLI::App& app, ExitCode& exit);
 void addMarker(CLI::App& app, ExitCode& exit);
 void addDetect(CLI::App& app, ExitCode& exit);
 void addInfo(CLI::App& app, ExitCode& exit);

@@ -64,6 +64,7 @@ int run(int argc, char** argv) {
   cli::addExperiment(app, exit);
   cli::addCalibrate(app, exit);
   cli::addRegister(app, exit);
+  cli::addRegistrations(app, exit);
   cli::addMarker(app, exit);
   cli::addDetect(app, exit);
   cli::addInfo(app, exit);

@@ -10,6 +10,8 @@
 #include "app/cli/console.h"
 #include "app/cli/outputs.h"
 #include "app/cli/register_output.h"
+#include "app/cli/registrations_output.h"
+#include "core/base/error.h"
 #include "core/registration/pair_table.h"
 #include "core/registration/pair_words.h"
 #include "core/vision/registration_file.h"
@@ -20,7 +22,7 @@ namespace capstan::cli {
 namespace {
 
 struct RegisterArguments {
-  std::string pairs, poses, cameras, out, json;
+  std::string pairs, poses, cameras, robot, compare, history, out, json;
   bool exchange = false;
 };
 
@@ -55,13 +57,47 @@ Registered registered(const RegisterArguments& arguments) {
                       arguments.exchange, arguments.pairs);
 }
 
+/// Adds the decision to the history, if there is one.
+void keep(const RegisterArguments& arguments, registration::HistoryEntry entry) {
+  if (arguments.history.empty()) return;
+  entry.date = isoNow();
+  entry.robot = robot::readDescriptionOrDefault(arguments.robot).name;
+  entry.session = arguments.pairs;
+  registration::addToHistory(arguments.history, entry);
+}
+
+Registered registeredOrRejected(const RegisterArguments& arguments) {
+  try {
+    return registered(arguments);
+  } catch (const base::InputError& error) {
+    registration::HistoryEntry entry;
+    entry.decision = registration::Decision::kRejected;
+    entry.reason = error.what();
+    keep(arguments, entry);
+    throw;
+  }
+}
+
 ExitCode run(const RegisterArguments& arguments) {
-  checkOutputs({{"--out", arguments.out}, {"--json", arguments.json}}, {arguments.pairs, arguments.poses});
-  const Registered found = registered(arguments);
-  if (!arguments.out.empty()) vision::writeRegistration(found.fit.base_from_camera, arguments.out);
+  checkOutputs({{"--out", arguments.out}, {"--history", arguments.history}, {"--json", arguments.json}},
+               {arguments.pairs, arguments.poses, arguments.compare, arguments.robot});
+  std::optional<Eigen::Isometry3d> before;
+  if (!arguments.compare.empty()) before = vision::readRegistration(arguments.compare);
+  const Registered found = registeredOrRejected(arguments);
+  const Eigen::Isometry3d& pose = found.fit.base_from_camera;
+  if (!arguments.out.empty()) vision::writeRegistration(pose, arguments.out);
+  keep(arguments, registration::entryOf(registration::Decision::kAccepted, found.fit));
+  std::string text = wordsOf(found);
+  nlohmann::json document = cli::documentOf(found);
+  if (before) {
+    const auto difference =
+        registration::differenceOf(*before, pose, robot::readDescriptionOrDefault(arguments.robot));
+    text += "difference     " + registration::wordsOf(difference) + "\n";
+    document["difference"] = documentOf(difference);
+  }
   const Output output(arguments.json);
-  output.text(wordsOf(found));
-  output.json(cli::documentOf(found));
+  output.text(text);
+  output.json(document);
   return kOk;
 }
 
@@ -81,6 +117,13 @@ void addRegister(CLI::App& app, ExitCode& exit) {
   command->add_flag("--exchange", arguments->exchange, "take the left pixels as right and the right as left");
   command->add_option("--cameras", arguments->cameras,
                       "folder or file of the calibrated cameras, for pixels");
+  command->add_option("--compare", arguments->compare,
+                      "registration file in use: what changes when the new one replaces it");
+  command->add_option("--history", arguments->history,
+                      "history (.yaml) that gets the registration, or the reason why there is none");
+  command->add_option("--robot", arguments->robot,
+                      "robot file (.yaml), for the workspace of --compare and the name in the history\n"
+                      "(default: the left RAVEN-II)");
   command->add_option("--out", arguments->out, "registration file to write (.yaml)");
   command->add_option("--json", arguments->json, "result as JSON: a file, or - for standard output");
   command->footer(

@@ -71,9 +71,11 @@ void addOptions(CLI::App& cli, Arguments& arguments) {
       ->capture_default_str()
       ->check(CLI::IsMember({"running", "occluded", "paused"}))
       ->needs(image);
-  cli.add_option("--show", arguments.show,
-                 "panel in the picture: health, calibration, marker, register, analyse, diagnose or learn")
-      ->check(CLI::IsMember({"health", "calibration", "marker", "register", "analyse", "diagnose", "learn"}))
+  cli.add_option(
+         "--show", arguments.show,
+         "panel in the picture: health, calibration, filter, marker, register, analyse, diagnose or learn")
+      ->check(CLI::IsMember(
+          {"health", "calibration", "filter", "marker", "register", "analyse", "diagnose", "learn"}))
       ->needs(image);
   cli.add_option("--after", arguments.after, "time until the picture is saved [s]")
       ->capture_default_str()

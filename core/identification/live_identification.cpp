@@ -6,6 +6,7 @@
 #include <cmath>
 #include <thread>
 
+#include "core/identification/better_motion.h"
 #include "core/identification/delay_passes.h"
 #include "core/identification/live_text.h"
 
@@ -54,6 +55,7 @@ LiveReport runLive(const LiveRequest& request, base::Progress& progress) {
   report.recorded = data.duration();
   if (data.openCount() > 0)
     (request.method == LiveMethod::kBatch ? runBatch : runDual)(data, request, progress, report);
+  if (!report.estimates.empty()) report.error = modelErrorOf(data, request.set, report.estimates, &progress);
   report.cancelled = report.cancelled || progress.cancelled();
   if (report.estimates.empty() && !report.cancelled && report.fault.empty())
     report.fault = "no observation of the tip can be used";
@@ -132,6 +134,7 @@ robot::Description LiveIdentification::accept() {
   recording_.reset();
   phase_ = LivePhase::kAccepted;
   accepted_ = identifiedRobot(*set_, shown_.estimates);
+  accepted_error_ = shown_.error;
   origin_ = fmt::format("the {} over {:.0f} s of {}", refined() ? "batch method" : "dual UKF",
                         shown_.recorded, title_);
   return *accepted_;
@@ -139,6 +142,7 @@ robot::Description LiveIdentification::accept() {
 
 void LiveIdentification::keep(const robot::Description& robot, std::string origin) {
   accepted_ = robot;
+  accepted_error_.reset();
   origin_ = std::move(origin);
   discard();
 }
@@ -198,6 +202,12 @@ void LiveIdentification::failed(const std::string& why, double now) {
   covered_ = asked_;
   again_at_ = now + kPeriod;
   fault_ = why;
+}
+
+std::optional<LiveRequest> LiveIdentification::motionRequest() const {
+  if (!recording_ || !set_ || weakOf(shown_.estimates).empty()) return std::nullopt;
+  LiveRequest request{0, recording_, *set_, options_.camera, shown_.method, {}};
+  return request;
 }
 
 bool LiveIdentification::acceptable() const {

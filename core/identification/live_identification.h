@@ -9,6 +9,7 @@
 #include "core/base/progress.h"
 #include "core/identification/convergence.h"
 #include "core/identification/live_recording.h"
+#include "core/identification/model_error.h"
 #include "core/identification/options.h"
 
 namespace capstan::identification {
@@ -35,7 +36,8 @@ struct LiveReport {
   double recorded = 0.0;                 ///< duration of the processed recording [s]
   double seconds = 0.0;                  ///< computing time [s]
   bool cancelled = false;
-  std::string fault;  ///< reason for missing estimates, for people
+  std::string fault;                ///< reason for missing estimates, for people
+  std::optional<ModelError> error;  ///< of the model on the recording, before and after
 };
 
 /// Identifies from the samples that the recording holds now. Made for a thread of its own; cancellable.
@@ -112,6 +114,12 @@ class LiveIdentification {
   const Trace& trace() const { return trace_; }
   std::vector<LiveRow> rows() const;
   std::string words() const;  ///< state of the identification in one line
+  /// Errors of the model on the recording of the shown estimates; after accept(), of the accepted ones.
+  const std::optional<ModelError>& error() const {
+    return phase_ == LivePhase::kAccepted ? accepted_error_ : shown_.error;
+  }
+  /// Request for a motion that determines what is weak; nothing where no parameter is.
+  std::optional<LiveRequest> motionRequest() const;
   /// Differences between the accepted robot and the robot file.
   std::vector<RobotChange> changes() const;
   /// Parameters that accept() takes: "r_l1 59.02 mm (−6.5 %), k_e2 …".
@@ -140,6 +148,7 @@ class LiveIdentification {
   Trace trace_;
   std::string fault_;
   std::optional<robot::Description> accepted_;
+  std::optional<ModelError> accepted_error_;
   std::string origin_;  ///< origin of accepted_
 };
 

@@ -107,6 +107,9 @@ struct RobotChange {
   std::string key;  ///< key in the file: drives[0].link_radius
   double nominal = 0.0, identified = 0.0;
   double percent = 0.0;  ///< change relative to nominal [%]; NaN where nominal is zero
+
+  /// Name of the parameter, Parameter::name(): r_l1 for drives[0].link_radius. Empty: it is none.
+  std::string name() const;
 };
 
 /// Returns every number that differs between two robots. Throws base::InputError unless they have the same

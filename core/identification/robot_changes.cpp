@@ -1,3 +1,6 @@
+#include <fmt/format.h>
+
+#include <array>
 #include <cmath>
 #include <limits>
 #include <type_traits>
@@ -31,6 +34,18 @@ void gather(const T& value, const std::string& key, Numbers& numbers) {
 }
 
 }  // namespace
+
+std::string RobotChange::name() const {
+  constexpr std::array<std::pair<const char*, Quantity>, kQuantities> kKeys = {
+      {{"drives[{}].link_radius", Quantity::kLinkRadius},
+       {"drives[{}].cable_stiffness", Quantity::kStiffness},
+       {"drives[{}].cable_damping", Quantity::kDamping},
+       {"joints[{}].friction.coulomb", Quantity::kFriction}}};
+  for (int joint = 0; joint < 3; ++joint)
+    for (const auto& [pattern, quantity] : kKeys)
+      if (key == fmt::format(fmt::runtime(pattern), joint)) return Parameter{quantity, joint}.name();
+  return {};
+}
 
 std::vector<RobotChange> differences(const robot::Description& nominal,
                                      const robot::Description& identified) {

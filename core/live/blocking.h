@@ -6,18 +6,30 @@
 
 #include "core/live/occlusion.h"
 #include "core/tracking/source.h"
+#include "core/vision/image_correction.h"
 
 namespace capstan::live {
 
-/// Blocks cameras by hand or by schedule. Only changes are passed to the source.
+/// Blocks cameras by hand or by schedule, and corrects their images. Only changes are passed to the source.
 class Blocking {
  public:
   void setByHand(bool left, bool right) { by_hand_ = {left, right}; }
-  /// True if the share or the length of intervals changed.
+  /// True if the share, the length of intervals or the cameras changed.
   bool setSchedule(const OcclusionSchedule& schedule) {
     const bool changed = scheduleWords(schedule) != scheduleWords(schedule_);
     schedule_ = schedule;
     return changed;
+  }
+  /// Corrects images from now on. A camera that is blocked is that of the corrected images.
+  void setCorrection(const vision::ImageCorrection& correction) {
+    stale_ = stale_ || correction.exchange != correction_.exchange;
+    correction_ = correction;
+  }
+  void correct(tracking::Sample& sample) const {
+    auto* frame = std::get_if<tracking::StereoFrame>(&sample);
+    if (!frame || correction_.none()) return;
+    correction_.apply(frame->left, frame->right);
+    if (correction_.exchange) frame->skew = -frame->skew;
   }
   const OcclusionSchedule& schedule() const { return schedule_; }
   const std::array<bool, 2>& blocked() const { return blocked_; }
@@ -32,10 +44,12 @@ class Blocking {
     const std::array<bool, 2> now = {
         by_hand_[0] || (scheduled && schedule_.cameras != BlockedCameras::kRight),
         by_hand_[1] || (scheduled && schedule_.cameras != BlockedCameras::kLeft)};
-    if (now == blocked_) return false;
+    if (now == blocked_ && !stale_) return false;
+    const bool changed = now != blocked_;
     blocked_ = now;
-    source.block(now[0], now[1]);
-    return true;
+    stale_ = false;
+    source.block(now[correction_.exchange ? 1 : 0], now[correction_.exchange ? 0 : 1]);
+    return changed;
   }
 
   /// Descriptions of the schedule and of the cameras that are blocked now.
@@ -53,6 +67,8 @@ class Blocking {
  private:
   OcclusionSchedule schedule_;
   std::array<bool, 2> by_hand_{}, blocked_{};
+  vision::ImageCorrection correction_;
+  bool stale_ = false;  ///< the source was blocked for the other order
 };
 
 }  // namespace capstan::live

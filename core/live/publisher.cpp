@@ -27,6 +27,7 @@ void Publisher::publish(const tracking::StereoFrame& frame, const tracking::Snap
   published_ = Clock::now();
   back_.t = frame.t;
   back_.t_arrival = frame.t_arrival;
+  back_.skew = frame.skew;
   frame.left.copyTo(back_.left);
   frame.right.copyTo(back_.right);
   const std::lock_guard lock(mutex_);

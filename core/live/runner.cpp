@@ -30,20 +30,26 @@ void Runner::setSpeed(double speed) { impl_->setSpeed(speed); }
 void Runner::block(bool left, bool right) { impl_->block(left, right); }
 void Runner::setOcclusion(const OcclusionSchedule& schedule) { impl_->setOcclusion(schedule); }
 void Runner::setMarker(const vision::MarkerOptions& marker) { impl_->setMarker(marker); }
-vision::MarkerOptions Runner::marker() const { return impl_->marker(); }
+vision::MarkerOptions Runner::marker() const { return impl_->inUse().marker(); }
 void Runner::setRegistration(const Eigen::Isometry3d& base_from_camera) {
   impl_->setRegistration(base_from_camera);
 }
 void Runner::setRobot(const robot::Description& robot, const std::string& note) {
   impl_->setRobot(robot, note);
 }
-robot::Description Runner::robot() const { return impl_->robot(); }
+robot::Description Runner::robot() const { return impl_->inUse().robot(); }
+void Runner::setTracking(const tracking::TrackingOptions& options) { impl_->setTracking(options); }
+tracking::TrackingOptions Runner::tracking() const { return impl_->inUse().tracking(); }
+void Runner::setImages(const vision::ImageCorrection& images) { impl_->setImages(images); }
+void Runner::setRig(const vision::StereoRig& rig, const std::string& note) { impl_->setRig(rig, note); }
+vision::ImageCorrection Runner::images() const { return impl_->inUse().images(); }
+tracking::SourceInfo Runner::infoInUse() const { return impl_->inUse().info(); }
 void Runner::listen(Listener listener) { impl_->listen(std::move(listener)); }
 void Runner::resetErrors() { impl_->resetErrors(); }
 void Runner::note(std::string text) { impl_->note(std::move(text)); }
 void Runner::post(Command command) { impl_->command(std::move(command)); }
 recording::SessionHeader Runner::inUse(recording::SessionHeader header) const {
-  return impl_->inUse(std::move(header));
+  return impl_->inUse().of(std::move(header));
 }
 void Runner::startRecording(const std::filesystem::path& path, const recording::SessionHeader& header,
                             const recording::RecorderOptions& options) {

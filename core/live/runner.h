@@ -14,6 +14,7 @@
 #include "core/tracking/pipeline.h"
 #include "core/tracking/source.h"
 #include "core/tracking/track_all.h"
+#include "core/vision/image_correction.h"
 
 namespace capstan::live {
 
@@ -87,13 +88,27 @@ class Runner {
   void setRegistration(const Eigen::Isometry3d& base_from_camera);
   /// Looks for another marker from the next images on. Recordings store its options.
   void setMarker(const vision::MarkerOptions& marker);
+  /// Corrects all images from the next pair on, before they are tracked and recorded: of a source whose
+  /// cameras are exchanged, mirrored or upside down. Replaces the former correction.
+  void setImages(const vision::ImageCorrection& images);
+  vision::ImageCorrection images() const;  ///< correction in use
+  /// Rebuilds the pipeline for other cameras, as setRobot() does for another robot. The event is "cameras".
+  void setRig(const vision::StereoRig& rig, const std::string& note);
+  /// info() with robot, cameras, registration, marker and filter options in use.
+  tracking::SourceInfo infoInUse() const;
   vision::MarkerOptions marker() const;  ///< options in use
-  /// Rebuilds the pipeline for `robot` before the next sample; options, registration and declared faults
-  /// stay. report() restarts. Later recordings store the robot, and a recording under way gets `note` as
-  /// event "robot". Throws base::InputError for a robot that the pipeline does not support; then nothing
+  /// Rebuilds the pipeline for `robot` before the next sample; filter options, registration and declared
+  /// faults stay. report() restarts. Later recordings store the robot, and a recording under way gets `note`
+  /// as event "robot". Throws base::InputError for a robot that the pipeline does not support; then nothing
   /// changes.
   void setRobot(const robot::Description& robot, const std::string& note);
   robot::Description robot() const;  ///< robot in use
+  /// Rebuilds the pipeline with other filter options before the next sample; robot, registration, marker and
+  /// declared faults stay. report() restarts. Later recordings store the options, and a recording under way
+  /// gets them as event "filter options". Throws base::InputError for options that the pipeline does not
+  /// support; then nothing changes.
+  void setTracking(const tracking::TrackingOptions& options);
+  tracking::TrackingOptions tracking() const;  ///< options in use
   /// Sets the listener from the next sample on, in place of the former one; {}: no listener, at no cost.
   void listen(Listener listener);
   void resetErrors();  ///< report() restarts

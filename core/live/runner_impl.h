@@ -8,8 +8,8 @@
 #include <thread>
 #include <utility>
 
-#include "core/base/yaml.h"
 #include "core/live/blocking.h"
+#include "core/live/in_use.h"
 #include "core/live/playback_clock.h"
 #include "core/live/plotted_steps.h"
 #include "core/live/publisher.h"
@@ -20,6 +20,7 @@
 #include "core/tracking/arrival.h"
 #include "core/tracking/gate_watch.h"
 #include "core/tracking/make_pipeline.h"
+#include "core/tracking/option_changes.h"
 #include "core/tracking/side_watch.h"
 #include "core/tracking/take_over.h"
 
@@ -34,11 +35,8 @@ class Runner::Impl {
         source_(std::move(source)),
         info_(source_->info()),
         pipeline_(std::move(pipeline)),
-        tracking_(pipeline_.options()),
         publisher_(RunnerOptions::kHistoryCapacity),
-        robot_(pipeline_.robot()),
-        registration_(pipeline_.registration()),
-        marker_(info_.marker) {
+        in_use_(info_, pipeline_) {
     status_.speed = speed_ = options.speed;
     thread_ = std::thread([this] { work(); });
   }
@@ -94,7 +92,7 @@ class Runner::Impl {
   }
 
   void setRegistration(const Eigen::Isometry3d& pose) {
-    keep(registration_, pose);
+    in_use_.setRegistration(pose);
     post([this, pose] {
       pipeline_.setRegistration(pose);
       if (listener_) listener_.begin(pipeline_);
@@ -104,33 +102,40 @@ class Runner::Impl {
 
   void setMarker(const vision::MarkerOptions& marker) {
     const std::string text = base::writeYaml(marker);
-    keep(marker_, text);
+    in_use_.setMarker(text);
     post([this, marker, text] {
       pipeline_.setMarker(marker);
       recording_.setMarker(t_, text);
     });
   }
-  vision::MarkerOptions marker() const {
-    const std::string text = kept(marker_);
-    return text.empty() ? vision::MarkerOptions{}
-                        : base::readYaml<vision::MarkerOptions>(text, "marker options");
-  }
 
   void setRobot(const robot::Description& robot, const std::string& note) {
-    tracking::SourceInfo info = info_;
+    tracking::SourceInfo info = in_use_.info();
     info.robot = robot;
-    info.marker = kept(marker_);
-    auto next = std::make_shared<tracking::TrackingPipeline>(tracking::makePipeline(info, tracking_));
-    keep(robot_, robot);
-    post([this, next, note] {
-      tracking::takeOver(pipeline_, *next);
-      pipeline_ = std::move(*next);
-      report_ = {};
-      if (listener_) listener_.begin(pipeline_);
-      recording_.note(t_, "robot", note);
+    rebuild(info, in_use_.tracking(), "robot", note);
+    in_use_.setRobot(robot);
+  }
+
+  void setTracking(const tracking::TrackingOptions& options) {
+    const std::string changes = tracking::optionChanges(in_use_.tracking(), options);
+    if (changes.empty()) return;
+    rebuild(in_use_.info(), options, "filter options", changes);
+    in_use_.setTracking(options);
+  }
+
+  void setRig(const vision::StereoRig& rig, const std::string& note) {
+    tracking::SourceInfo info = in_use_.info();
+    info.rig = rig;
+    rebuild(info, in_use_.tracking(), "cameras", note);
+    in_use_.setRig(rig);
+  }
+  void setImages(const vision::ImageCorrection& images) {
+    in_use_.setImages(images);
+    post([this, images] {
+      blocking_.setCorrection(images);
+      recording_.note(t_, "cameras", images.none() ? "images as they come" : images.words());
     });
   }
-  robot::Description robot() const { return kept(robot_); }
 
   void listen(Listener listener) {
     post([this, listener = std::move(listener)] {
@@ -148,20 +153,10 @@ class Runner::Impl {
   void command(Command given) {
     post([this, given = std::move(given)] { given(*source_, pipeline_); });
   }
-
-  recording::SessionHeader inUse(recording::SessionHeader header) const {
-    {
-      const std::lock_guard lock(mutex_);
-      if (registration_) header.base_from_camera = registration_;
-      header.marker = marker_;
-      header.robot = base::writeYaml(robot_);
-    }
-    if (header.tracking.empty()) header.tracking = base::writeYaml(tracking_);
-    return header;
-  }
+  const InUse& inUse() const { return in_use_; }
   void startRecording(const std::filesystem::path& path, const recording::SessionHeader& header,
                       const recording::RecorderOptions& options) {
-    auto recorder = std::make_shared<recording::Recorder>(path, inUse(header), options);
+    auto recorder = std::make_shared<recording::Recorder>(path, in_use_.of(header), options);
     post([this, recorder] {
       recording_.begin(recorder);
       for (const std::string& words : blocking_.words()) recording_.noteOcclusion(t_, words, !info_.live);
@@ -184,7 +179,7 @@ class Runner::Impl {
 
   tracking::TrackReport report() const { return kept(published_report_); }
   std::vector<tracking::HealthCheck> health() const {
-    return tracking::healthOf(report(), robot(), tracking_.memory);
+    return tracking::healthOf(report(), in_use_.robot(), in_use_.tracking().memory);
   }
 
   bool waitUntilIdle(double seconds) {
@@ -203,14 +198,23 @@ class Runner::Impl {
 
   enum class Mode { kPause, kRun, kStep, kDone };
 
-  void keep(auto& kept, const auto& value) {
-    const std::lock_guard lock(mutex_);
-    kept = value;
-  }
   template <class T>
   T kept(const T& value) const {
     const std::lock_guard lock(mutex_);
     return value;
+  }
+
+  /// Replaces the pipeline before the next sample, which a recording under way notes.
+  void rebuild(const tracking::SourceInfo& info, const tracking::TrackingOptions& options,
+               const std::string& kind, const std::string& note) {
+    auto next = std::make_shared<tracking::TrackingPipeline>(tracking::makePipeline(info, options));
+    post([this, next, kind, note] {
+      tracking::takeOver(pipeline_, *next);
+      pipeline_ = std::move(*next);
+      report_ = {};
+      if (listener_) listener_.begin(pipeline_);
+      recording_.note(t_, kind, note);
+    });
   }
 
   void work() {
@@ -274,6 +278,7 @@ class Runner::Impl {
     applyBlocking();
     if (!fetched_ && !source_->ready(kPatience)) return publishStatus(false);
     if (!fetched_ && !source_->next(sample_)) return finish(RunState::kEnded, {});
+    if (!fetched_) blocking_.correct(sample_);
     fetched_ = true;
     if (mode_ == Mode::kRun && speed_ > 0.0 && !info_.real_time) {
       const auto due = pacer_.due(tracking::arrivalOf(sample_), speed_, Clock::now());
@@ -363,8 +368,8 @@ class Runner::Impl {
   const std::unique_ptr<tracking::Source> source_;
   const tracking::SourceInfo info_;
   tracking::TrackingPipeline pipeline_;
-  const tracking::TrackingOptions tracking_;
   Publisher publisher_;
+  InUse in_use_;
 
   // The pipeline's thread.
   Mode mode_ = Mode::kPause;
@@ -392,9 +397,6 @@ class Runner::Impl {
   RunStatus status_;
   RunState done_ = RunState::kEnded;
   tracking::TrackReport published_report_;
-  robot::Description robot_;
-  std::optional<Eigen::Isometry3d> registration_;
-  std::string marker_;  ///< options in use as YAML; empty: the defaults
 
   std::thread thread_;
 };

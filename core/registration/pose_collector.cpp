@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "core/base/yaml.h"
+#include "core/registration/registration_difference.h"
 #include "core/robot/arm_kinematics.h"
 #include "core/robot/transmission.h"
 #include "core/stats/quantile.h"
@@ -95,17 +96,10 @@ void PoseCollector::refit() {
 }
 
 WorkspaceError PoseCollector::workspaceError() const {
-  const robot::ArmKinematics arm(robot_);
   const Eigen::Isometry3d camera_from_base = fit_->base_from_camera.inverse();
   std::vector<double> errors;
-  for (int corner = 0; corner < 27; ++corner) {
-    Eigen::Vector3d q;
-    for (int joint = 0, rest = corner; joint < 3; ++joint, rest /= 3) {
-      const robot::Joint& limits = robot_.joints[static_cast<std::size_t>(joint)];
-      q(joint) = limits.limit_low + 0.5 * (rest % 3) * (limits.limit_high - limits.limit_low);
-    }
-    errors.push_back(error95At(*fit_, camera_from_base * arm.tip(q)));
-  }
+  for (const Eigen::Vector3d& tip : workspaceTips(robot_))
+    errors.push_back(error95At(*fit_, camera_from_base * tip));
   return {stats::median(errors), *std::ranges::max_element(errors)};
 }
 

@@ -23,7 +23,7 @@ struct CollectedPose {
   bool excluded = false;      ///< by the user
 };
 
-/// 95 % error of the registered marker over the whole workspace [m].
+/// Error or displacement of the registered tip over the whole workspace [m].
 struct WorkspaceError {
   double median = 0.0, largest = 0.0;
 };
@@ -61,7 +61,7 @@ class PoseCollector {
   const base::Result<PairRegistration, PairRefusal>& fit() const { return fit_; }
   /// Index of each of the fit's pairs in poses().
   const std::vector<std::size_t>& fitted() const { return fitted_; }
-  /// 95 % error by the fit at 27 poses between the joint limits. The fit must exist.
+  /// 95 % error by the fit over workspaceTips(). The fit must exist.
   WorkspaceError workspaceError() const;
 
   /// Writes the poses as a CSV table for `capstan-cli register`: t, x, y, z, cam_x, cam_y, cam_z, excluded.

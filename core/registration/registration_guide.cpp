@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/base/units.h"
+#include "core/registration/camera_checks.h"
 #include "core/robot/arm_kinematics.h"
 #include "core/stats/interval.h"
 #include "core/stats/quantile.h"
@@ -29,22 +30,6 @@ const Vector3d kScatterLimit(0.0015, 0.0015, 0.006);    // largest σ of a point
 std::string jointText(const robot::Joint& joint, double value) {
   return joint.type == robot::JointType::kRevolute ? fmt::format("{:.2f} deg", base::toDegrees(value))
                                                    : fmt::format("{:.2f} mm", base::toMillimetres(value));
-}
-
-const char* adviceAgainst(vision::MarkerFault fault) {
-  switch (fault) {
-    case vision::MarkerFault::kNoImage:
-      return "Check that both cameras deliver images.";
-    case vision::MarkerFault::kWrongImage:
-      return "Use the camera files of these cameras at this resolution.";
-    case vision::MarkerFault::kTwoCandidates:
-      return "Remove other objects of the marker's colour from the view.";
-    case vision::MarkerFault::kTooSmall:
-    case vision::MarkerFault::kNotRound:
-      return "Check that nothing covers the marker and that it is in focus.";
-    default:
-      return "Unblock the view, see that the marker is in both images, and check light and hue range.";
-  }
 }
 
 }  // namespace

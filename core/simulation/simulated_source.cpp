@@ -1,6 +1,7 @@
 #include "core/simulation/simulated_source.h"
 
 #include <atomic>
+#include <mutex>
 
 #include "core/base/yaml.h"
 #include "core/robot/arm_kinematics.h"
@@ -54,6 +55,8 @@ struct SimulatedSource::Parts {
   Eigen::Vector3d torque;  // motor torque until the next tick [N·m]
   bool motor_due = true, joint_due = true;
   std::atomic<MotionCommand> command{MotionCommand::kRun};
+  std::mutex motion_mutex;
+  std::shared_ptr<const Trajectory> motion;  // of the command kMotion; motion_mutex protects it
   std::atomic<bool> arrived{false}, block_left{false}, block_right{false};
 };
 
@@ -144,8 +147,15 @@ void SimulatedSource::Parts::advance() {
   plant.step(torque, kTick);
   now = static_cast<double>(++tick) * kTick;
   exposeDue();
-  commander.command(command.load(std::memory_order_relaxed));
+  const MotionCommand commanded = command.load(std::memory_order_acquire);
+  if (commanded == MotionCommand::kMotion) {
+    const std::lock_guard lock(motion_mutex);
+    commander.setMotion(motion);
+  }
+  commander.command(commanded);
   control(commander.step(kTick));
+  MotionCommand done = MotionCommand::kMotion;
+  if (commander.motionDone()) command.compare_exchange_strong(done, MotionCommand::kRun);
   arrived.store(commander.atHardStop(), std::memory_order_relaxed);
   motor_due = true;
   joint_due = jointDue();
@@ -202,6 +212,15 @@ void SimulatedSource::block(bool left, bool right) {
 }
 
 void SimulatedSource::driveToHardStop() { parts_->command = MotionCommand::kHardStop; }
+void SimulatedSource::drive(const TrajectorySpec& motion) {
+  std::shared_ptr<const Trajectory> made =
+      makeTrajectory(motion, parts_->options.robot, parts_->options.seed);
+  {
+    const std::lock_guard lock(parts_->motion_mutex);
+    parts_->motion = std::move(made);
+  }
+  parts_->command = MotionCommand::kMotion;
+}
 void SimulatedSource::hold() { parts_->command = MotionCommand::kHold; }
 void SimulatedSource::resume() { parts_->command = MotionCommand::kRun; }
 bool SimulatedSource::arrivedAtHardStop() const { return parts_->arrived; }

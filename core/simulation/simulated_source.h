@@ -51,6 +51,9 @@ class SimulatedSource final : public tracking::Source {
   void driveToHardStop();
   /// Slows down along the path to a halt.
   void hold();
+  /// Slows down along the path, moves to the start of another motion, follows it, and returns to the path,
+  /// which it continues. Throws base::InputError as makeTrajectory().
+  void drive(const TrajectorySpec& motion);
   /// Returns to the point where the path was left and continues along it.
   void resume();
   /// True while the arm rests at the hard stop.

@@ -97,8 +97,8 @@ bool StereoCameras::deliver(double now, tracking::Sample& out) {
   Flight& flight = flights_.front();
   delivered_ = flight.truth;
   if (images_)
-    out =
-        tracking::StereoFrame{flight.stamp, flight.arrival, std::move(flight.left), std::move(flight.right)};
+    out = tracking::StereoFrame{flight.stamp, flight.arrival, std::move(flight.left), std::move(flight.right),
+                                0.0};
   else
     out = tracking::TipSample{flight.stamp, flight.arrival, registration_ * flight.measured};
   flights_.erase(flights_.begin());

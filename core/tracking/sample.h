@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <opencv2/core/mat.hpp>
 #include <variant>
 
@@ -23,6 +24,8 @@ struct StereoFrame {
   double t = 0.0;
   double t_arrival = 0.0;
   cv::Mat left, right;
+  /// Exposure of the right image minus that of the left [s]; NaN: not known, as in recordings.
+  double skew = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// Tip position in frame 0 from cameras of another system, for recordings without images. NaN: tip not

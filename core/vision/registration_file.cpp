@@ -19,10 +19,14 @@ struct RegistrationFile {
 
 }  // namespace
 
+bool isRotation(const Eigen::Matrix3d& rotation) {
+  const double far = (rotation * rotation.transpose() - Eigen::Matrix3d::Identity()).norm();
+  return far < 1e-6 && rotation.determinant() > 0.0;
+}
+
 Eigen::Isometry3d readRegistration(const std::filesystem::path& path) {
   const auto fields = base::readYamlFile<RegistrationFile>(path);
-  const double far = (fields.rotation * fields.rotation.transpose() - Eigen::Matrix3d::Identity()).norm();
-  if (!(far < 1e-6) || fields.rotation.determinant() < 0.0)
+  if (!isRotation(fields.rotation))
     throw base::InputError(
         {path.string(), 0, "rotation", {}, "is no rotation matrix", "Give one whose rows are orthonormal"});
   Eigen::Isometry3d base_from_camera = Eigen::Isometry3d::Identity();

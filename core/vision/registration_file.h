@@ -6,6 +6,8 @@
 
 namespace capstan::vision {
 
+/// Whether `rotation` is one: orthonormal rows, determinant 1.
+bool isRotation(const Eigen::Matrix3d& rotation);
 /// Reads base_from_camera from a registration file (YAML). Throws base::InputError with file, key and remedy,
 /// also for a rotation that is none.
 Eigen::Isometry3d readRegistration(const std::filesystem::path& path);

@@ -49,6 +49,42 @@ TEST_F(CliRegister, NamesTheFaultAndTheRemedy) {
   EXPECT_THAT(ran.err, HasSubstr("the column is missing"));
 }
 
+TEST_F(CliRegister, KeepsAHistoryAndComparesRegistrations) {
+  write("p.csv", "x,y,z,cam_x,cam_y,cam_z", 1.0);
+  write("mm.csv", "x,y,z,cam_x,cam_y,cam_z", 1000.0);
+  std::ofstream(path("use.yaml"))
+      << "translation: [0.1, 0.2, 0.303]\nrotation: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n";
+  const std::string history = " --history " + path("h.yaml");
+  Ran ran = run("register " + path("p.csv") + history + " --compare " + path("use.yaml") + " --json -");
+  ASSERT_EQ(ran.exit, 0) << ran.err;
+  const auto difference = nlohmann::json::parse(ran.out)["difference"];
+  EXPECT_NEAR(difference["translation"][2].get<double>(), -0.003, 1e-9);
+  EXPECT_NEAR(difference["tool_largest"].get<double>(), 0.003, 1e-9);
+  EXPECT_NEAR(difference["rotation"].get<double>(), 0.0, 1e-7);
+  EXPECT_EQ(run("register " + path("mm.csv") + history).exit, 2);
+  ran = run("registrations " + path("h.yaml") + " --json -");
+  ASSERT_EQ(ran.exit, 0) << ran.err;
+  const auto kept = nlohmann::json::parse(ran.out)["registrations"];
+  ASSERT_EQ(kept.size(), 2u);
+  EXPECT_EQ(kept[0]["decision"], "accepted");
+  EXPECT_EQ(kept[0]["excluded"], 1);
+  EXPECT_NEAR(kept[0]["base_from_camera"]["position"][1].get<double>(), 0.2, 1e-9);
+  EXPECT_EQ(kept[1]["decision"], "rejected");
+  EXPECT_THAT(kept[1]["reason"].get<std::string>(), HasSubstr("0.001 times as long"));
+  EXPECT_TRUE(kept[1]["base_from_camera"].is_null());
+
+  ran = run("registrations " + path("h.yaml") + " --export 1 --out " + path("r.yaml") + " --compare 1 " +
+            path("use.yaml"));
+  ASSERT_EQ(ran.exit, 0) << ran.err;
+  EXPECT_THAT(ran.out, HasSubstr("translation 3.00 mm (0.00, 0.00, 3.00), rotation 0.00°"));
+  EXPECT_THAT(textOf("r.yaml"), HasSubstr("translation"));
+  EXPECT_EQ(run("registrations --compare " + path("r.yaml") + " " + path("use.yaml")).out, ran.out);
+  EXPECT_THAT(run("registrations " + path("h.yaml") + " --export 2 --out " + path("n.yaml")).err,
+              HasSubstr("has no result"));
+  EXPECT_THAT(run("registrations " + path("h.yaml") + " --compare 1 3").err, HasSubstr("has 2 entries"));
+  EXPECT_THAT(run("registrations " + path("none.yaml")).err, HasSubstr("no such file"));
+}
+
 // Two cameras side by side, focal length 500 px, 60 mm apart, that see a tip at z = 0.3 m.
 class CliRegisterPixels : public CliRegister {
  protected:

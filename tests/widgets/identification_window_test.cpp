@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <QAction>
+#include <QCheckBox>
 #include <QDockWidget>
 #include <QPushButton>
 #include <QTemporaryDir>
@@ -10,6 +11,7 @@
 
 #include "tests/widgets/picture.h"
 #include "widgets/panels/identification/identification_panel.h"
+#include "widgets/panels/identification/motion_offer.h"
 #include "widgets/panels/identification/parameter_choice.h"
 #include "widgets/panels/identification/parameter_table.h"
 #include "widgets/panels/notes/notes_panel.h"
@@ -99,6 +101,11 @@ TEST_F(IdentificationWindow, StandsInASmallWindowAndEndsWithIt) {
   open(1280, 800, true);
   EXPECT_EQ(window_->size(), QSize(1280, 800)) << "panels do not force a larger window";
   pictures("idle");
+  const QPushButton& start = *buttonOf(panel(), "start");
+  EXPECT_EQ(start.visibleRegion().boundingRect(), start.rect()) << "Start is reached without scrolling";
+  for (const auto* box : panel().choice().findChildren<QCheckBox*>())
+    EXPECT_EQ(box->visibleRegion().boundingRect(), box->rect())
+        << box->text().toStdString() << " is seen without scrolling";
   QTest::keyClick(window_.get(), Qt::Key_I);
   ASSERT_TRUE(waitFor([&] { return panel().live().shown().recorded > 5.0; }))
       << panel().words().toStdString();
@@ -108,6 +115,27 @@ TEST_F(IdentificationWindow, StandsInASmallWindowAndEndsWithIt) {
   pictures("refining");
   window_->close();
   window_.reset();  // cancels, and waits for the thread
+}
+
+TEST_F(IdentificationWindow, TheProposedMotionIsDrivenAndMakesAWeakParameterKnown) {
+  open(1920, 1080, false);
+  panel().choice().setNames("r_l1,b_e1");
+  QTest::keyClick(window_.get(), Qt::Key_I);
+  ASSERT_TRUE(waitFor([&] { return panel().live().shown().recorded > 15.0; }));
+  ASSERT_TRUE(panel().table().text(1).contains("weak")) << panel().table().text(1).toStdString();
+  const auto sigma = [&] { return panel().live().shown().estimates[1].sigma; };
+  const double before = sigma();
+  QTest::keyClick(window_.get(), Qt::Key_M, Qt::ShiftModifier);
+  ASSERT_TRUE(waitFor([&] { return !panel().motionOffer().words().isEmpty(); }));
+  pictures("motion");
+  const double proposed_at = panel().live().shown().recorded;
+  QTest::keyClick(window_.get(), Qt::Key_M, Qt::ShiftModifier);
+  bool noted = false;
+  for (int row = 0; row < window_->notes().rows(); ++row)
+    noted = noted || window_->notes().row(row).contains("predicted");
+  EXPECT_TRUE(noted);
+  ASSERT_TRUE(waitFor([&] { return panel().live().shown().recorded > proposed_at + 50.0; }));
+  EXPECT_LT(sigma(), 0.7 * before);
 }
 
 TEST_F(IdentificationWindow, TheBarsEntryBringsItToTheFront) {

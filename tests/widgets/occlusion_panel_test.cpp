@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -107,6 +109,45 @@ TEST_F(Panel, ScheduleIsThePapersAndBeginsNow) {
   }
   QTest::mouseClick(button("off"), Qt::LeftButton);
   EXPECT_EQ(schedules.back().percentage, 0.0);
+}
+
+TEST_F(Panel, TheScheduleBlocksOneCameraWhoseRayIsThenNamed) {
+  auto* cameras = panel.findChild<QComboBox*>("cameras");
+  ASSERT_TRUE(cameras);
+  QTest::mouseClick(button("40"), Qt::LeftButton);
+  EXPECT_EQ(schedules.back().cameras, live::BlockedCameras::kBoth);
+  QTest::keyClick(cameras, Qt::Key_Down);
+  ASSERT_EQ(cameras->currentText(), "left");
+  EXPECT_EQ(schedules.back().cameras, live::BlockedCameras::kLeft);
+  EXPECT_EQ(schedules.back().percentage, 40.0);
+  panel.showBlocked({true, false});
+  const auto shown = [this](const QString& text) {
+    for (const auto* label : panel.findChildren<QLabel*>())
+      if (label->text() == text) return true;
+    return false;
+  };
+  EXPECT_TRUE(shown("blocked"));
+  panel.showBlocked({false, true});
+  EXPECT_TRUE(shown("observable"));
+
+  tracking::Snapshot snapshot{};
+  snapshot.camera_samples = 1;
+  snapshot.camera_images = true;
+  snapshot.gate = tracking::Gate::kLeftLost;
+  snapshot.marker[0].fault = vision::MarkerFault::kNoPixels;
+  panel.showSnapshot(snapshot);
+  EXPECT_EQ(panel.observation(), "now: observing the motors (q_kin)");
+  snapshot.ray_used = true;
+  panel.showSnapshot(snapshot);
+  EXPECT_EQ(panel.observation(), "now: observing a single ray");
+  EXPECT_EQ(panel.reason(), "right camera alone.");
+  test::grab(panel, "occlusion_one_camera");
+
+  panel.beginSession(3.0, false);
+  EXPECT_EQ(panel.schedule().percentage, 0.0);
+  EXPECT_EQ(cameras->currentText(), "left");
+  panel.setSchedule({20.0, 2.0, 0.0, live::BlockedCameras::kRight});
+  EXPECT_EQ(cameras->currentText(), "right");
 }
 
 TEST_F(Panel, OcclusionEndsWithItsSessionUnlessThatBeginsAgain) {

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/live/corrected_source.h"
 #include "core/live/plotted_steps.h"
 #include "core/recording/session_file.h"
 #include "widgets/figures/joint_errors.h"
@@ -123,16 +124,13 @@ void CompareController::rerun(const analysis::RerunChange& change) {
         tr("A live session cannot be tracked again. Record it, and open the recording."));
   if (change.empty())
     return views_.news.showMessage(tr("Nothing is changed. Choose what is to be different."));
-  const recording::SessionHeader now = link_.runner()->inUse(recording::headerOf(link_.runner()->info(), {}));
   const double until = link_.runner()->status().t;
   start(
-      [choice = choice_, change, until, registration = now.base_from_camera,
-       robot = link_.runner()->robot()](base::Progress& progress) {
+      [choice = choice_, change, until, info = link_.runner()->infoInUse(),
+       images = link_.runner()->images()](base::Progress& progress) {
         const auto source = openSource(choice);
-        tracking::SourceInfo info = source->info();
-        info.base_from_camera = registration;
-        info.robot = robot;
-        auto run = track(*source, info, change, until, progress);
+        live::CorrectedSource corrected(*source, images);
+        auto run = track(corrected, info, change, until, progress);
         run->words = QString::fromStdString(change.words());
         return run;
       },

@@ -20,6 +20,7 @@ const std::vector<std::pair<QString, HelpTopic>>& helpTopics() {
       {"IdentificationPanel", {kManual, "Identification"}},
       {"CalibrationPanel", {kManual, "Camera calibration"}},
       {"ErrorsPanel", {kManual, "Errors"}},
+      {"FilterPanel", {kManual, "Filter options"}},
       {"HealthPanel", {kManual, "Estimator health"}},
       {"NotesPanel", {kManual, "Notes"}},
       {"MarkerPanel", {kManual, "The marker"}},

@@ -3,6 +3,7 @@
 #include <QAction>
 #include <QDockWidget>
 
+#include "core/simulation/simulated_source.h"
 #include "widgets/panels/identification/identification_panel.h"
 #include "widgets/panels/notes/notes_panel.h"
 #include "widgets/shell/session_bar.h"
@@ -35,6 +36,7 @@ IdentificationController::IdentificationController(IdentificationPanel& panel, Q
   });
   listen(link);
   chooseRobots(link, notes);
+  drive(link, notes);
   connect(&panel, &IdentificationPanel::robotSaved, this,
           [this, &notes](const QString& path) { notes.addFile(now_, "robot", path); });
 }
@@ -48,6 +50,23 @@ void IdentificationController::listen(SessionLink& link) {
                                [sink](const tracking::Sample& sample, const tracking::Snapshot& snapshot) {
                                  sink->take(sample, snapshot);
                                }});
+          });
+}
+
+/// Drives a simulated robot along the proposed motion; it then continues its own.
+void IdentificationController::drive(SessionLink& link, NotesPanel& notes) {
+  connect(&panel_, &IdentificationPanel::motionRequested, this,
+          [this, &link, &notes](const identification::SinusoidMotion& motion, const QString& words) {
+            if (!link.runner()) return;
+            simulation::TrajectorySpec spec;
+            spec.kind = simulation::TrajectoryKind::kSinusoid;
+            spec.duration = motion.duration;
+            spec.sinusoid = {motion.centre, motion.amplitude, motion.frequency};
+            link.runner()->post([spec](tracking::Source& source, tracking::TrackingPipeline&) {
+              if (auto* robot = dynamic_cast<simulation::SimulatedSource*>(&source)) robot->drive(spec);
+            });
+            link.setRunning(true);
+            notes.addEvent(now_, "motion", words);
           });
 }
 

@@ -12,8 +12,8 @@ class NotesPanel;
 class SessionBar;
 class SessionLink;
 
-/// Connects the identification panel to the running session: passes samples to the panel and the accepted
-/// robot to the session, and adds an entry in the bar and notes.
+/// Connects the identification panel to the running session: passes samples to the panel, the accepted
+/// robot and proposed motions to the session, and adds an entry in the bar and notes.
 class IdentificationController : public QObject {
   Q_OBJECT
 
@@ -23,6 +23,7 @@ class IdentificationController : public QObject {
 
  private:
   void listen(SessionLink& link);
+  void drive(SessionLink& link, NotesPanel& notes);
   void chooseRobots(SessionLink& link, NotesPanel& notes);
 
   IdentificationPanel& panel_;

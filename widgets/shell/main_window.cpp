@@ -325,7 +325,7 @@ void MainWindow::restore() {
   learning_->restore(*settings_);
   restoreGeometry(settings_->value("geometry").toByteArray());
   laid_out_ = layouts_->restoreLast();
-  for (const char* name : {"health", "calibration", "marker", "registration"})
+  for (const char* name : {"health", "calibration", "filter", "marker", "registration"})
     findChild<QDockWidget*>(name)->hide();
 }
 

@@ -2,12 +2,15 @@
 
 #include <QAction>
 #include <QActionGroup>
+#include <QDir>
 #include <QDockWidget>
+#include <QFileInfo>
 #include <QStackedWidget>
 
 #include "widgets/panels/calibration/calibration_panel.h"
 #include "widgets/panels/diagnosis/diagnosis_panel.h"
 #include "widgets/panels/errors/errors_panel.h"
+#include "widgets/panels/filter/filter_panel.h"
 #include "widgets/panels/health/health_panel.h"
 #include "widgets/panels/identification/identification_panel.h"
 #include "widgets/panels/learning/learning_panel.h"
@@ -26,6 +29,7 @@
 #include "widgets/shell/dock_scroll.h"
 #include "widgets/shell/drive_controller.h"
 #include "widgets/shell/export_controller.h"
+#include "widgets/shell/filter_controller.h"
 #include "widgets/shell/health_controller.h"
 #include "widgets/shell/identification_controller.h"
 #include "widgets/shell/learning_controller.h"
@@ -71,11 +75,16 @@ void MainWindow::addDocks() {
   auto* calibration = themed(new CalibrationPanel);
   new CalibrationController(*calibration, *floating("calibration", tr("Camera calibration"), calibration),
                             link_, this);
+  auto* filter = themed(new FilterPanel);
+  floating("filter", tr("Filter options"), filter);
+  new FilterController(*filter, link_, *notes_, *undo_, this);
   auto* marker = themed(new MarkerPanel);
   new MarkerController(*marker, *floating("marker", tr("Marker"), marker), link_, *bar_, this);
   registration_dock_ =
       floating("registration", tr("Registration"), registration_ = themed(new RegistrationPanel));
-  new RegistrationController({*registration_, *registration_dock_, *scene_, *notes_, *registration_news_},
+  const QDir folder = QFileInfo(settings_->fileName()).dir();
+  new RegistrationController({*registration_, *registration_dock_, *scene_, *notes_, *registration_news_,
+                              *undo_, folder.filePath("registrations.yaml").toStdString()},
                              link_, *bar_, this);
   new DriveController({*registration_, *registration_dock_, *status_, *notes_}, link_, this);
   new IdentificationController(*identification_, *identification, link_, *bar_, *notes_, this);

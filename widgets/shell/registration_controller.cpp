@@ -1,12 +1,17 @@
 #include "widgets/shell/registration_controller.h"
 
 #include <QAction>
+#include <QDateTime>
 #include <QDockWidget>
+#include <utility>
 
+#include "core/base/error.h"
 #include "core/base/units.h"
 #include "core/simulation/camera_mounting.h"
 #include "core/simulation/simulated_source.h"
 #include "widgets/panels/notes/notes_panel.h"
+#include "widgets/panels/registration/camera_strip.h"
+#include "widgets/panels/registration/history_page.h"
 #include "widgets/panels/registration/poses_page.h"
 #include "widgets/panels/registration/registration_panel.h"
 #include "widgets/scene/scene_view.h"
@@ -14,6 +19,7 @@
 #include "widgets/shell/message_bar.h"
 #include "widgets/shell/session_bar.h"
 #include "widgets/shell/session_link.h"
+#include "widgets/shell/settings_undo.h"
 
 namespace capstan::widgets {
 
@@ -30,12 +36,26 @@ RegistrationController::RegistrationController(const Views& views, SessionLink& 
   connectPanel();
   connect(&link, &SessionLink::opened, this, [this](const tracking::SourceInfo& info) {
     if (!link_.again()) accepted_.reset();
+    const auto images = link_.again() ? images_ : vision::ImageCorrection{};
+    const double scale = link_.again() ? scale_ : 1.0;
+    images_ = {}, scale_ = 1.0;
+    // After the scene and the notes have begun the session themselves.
+    QMetaObject::invokeMethod(
+        this,
+        [this, images, scale] {
+          useCameras(images, scale);
+          if ((!images.none() || scale != 1.0) && views_.dock.isVisible()) begin();
+        },
+        Qt::QueuedConnection);
     in_use_ = accepted_ ? accepted_ : info.base_from_camera;
+    views_.panel.historyPage().setCurrent(in_use_);
+    views_.panel.historyPage().setRobot(info.robot);
     of_poses_ = of_poses_ && accepted_;
     now_ = info.begin;
     if (accepted_) keepAccepted();
     if (views_.dock.isVisible()) begin();
   });
+  watchCameras();
   connect(&link, &SessionLink::robotChanged, this, &RegistrationController::followRobot);
   connect(&link, &SessionLink::status, this, [this](const live::RunStatus& status) {
     views_.panel.setEnded(status.state == live::RunState::kEnded || status.state == live::RunState::kFailed);
@@ -62,6 +82,7 @@ void RegistrationController::addAction(SessionBar& bar) {
   connect(action, &QAction::triggered, this, [this](bool shown) {
     if (shown && link_.runner() && !views_.panel.active()) begin();
     if (!shown) return;
+    readHistory();
     views_.dock.activateWindow();
     focusFirst(views_.panel);
   });
@@ -84,6 +105,8 @@ void RegistrationController::connectPanel() {
     command(&SimulatedSource::resume);
     views_.notes.addEvent(now_, "registration", tr("rejected: %1").arg(reason));
   });
+  connect(&views_.panel, &RegistrationPanel::decided, this, &RegistrationController::addToHistory);
+  connect(&views_.panel.historyPage(), &HistoryPage::useRequested, this, &RegistrationController::useAgain);
   connect(&views_.panel, &RegistrationPanel::finished, this, [this] {
     command(&SimulatedSource::resume);
     views_.dock.hide();
@@ -93,8 +116,100 @@ void RegistrationController::connectPanel() {
 void RegistrationController::use(const Eigen::Isometry3d& base_from_camera, const QString& how) {
   if (link_.runner()) link_.runner()->setRegistration(base_from_camera);
   in_use_ = accepted_ = base_from_camera;
+  views_.panel.historyPage().setCurrent(in_use_);
   views_.scene.setRegistration(base_from_camera);
   views_.notes.addEvent(now_, "registration", how);
+}
+
+/// The cameras are checked while the dock is visible.
+void RegistrationController::watchCameras() {
+  CameraStrip& strip = views_.panel.cameras();
+  connect(&link_, &SessionLink::frames, this,
+          [this, &strip](const tracking::StereoFrame& frame, const tracking::Snapshot& seen) {
+            if (!views_.dock.isVisible()) return;
+            strip.setMarker(link_.runner()->marker());
+            strip.see(frame, seen);
+          });
+  connect(&link_, &SessionLink::history, this,
+          [this, &strip](const std::vector<tracking::Snapshot>& snapshots) {
+            if (views_.dock.isVisible())
+              for (const auto& snapshot : snapshots) strip.observe(snapshot);
+          });
+  connect(&link_, &SessionLink::status, this, [this, &strip](const live::RunStatus& status) {
+    if (views_.dock.isVisible()) strip.setNow(status.t, status.sides);
+  });
+  connect(&views_.panel, &RegistrationPanel::remedyRequested, this, &RegistrationController::correct);
+}
+
+void RegistrationController::correct(const registration::CameraRemedy& remedy) {
+  if (!link_.runner()) return;
+  const auto images = std::pair{images_, images_.then(remedy.correction)};
+  const auto scale = std::pair{scale_, scale_ * remedy.scale};
+  const auto apply = [this](const vision::ImageCorrection& to, double by) {
+    useCameras(to, by);
+    begin();
+  };
+  apply(images.second, scale.second);
+  views_.undo.changed(
+      tr("correction of the cameras"), [apply, images, scale] { apply(images.first, scale.first); },
+      [apply, images, scale] { apply(images.second, scale.second); });
+}
+
+/// Corrects the images of the source and the base line of its cameras from now on.
+void RegistrationController::useCameras(const vision::ImageCorrection& images, double scale) {
+  if (!link_.runner()) return;
+  if (images != images_) {
+    link_.runner()->setImages(images);
+    views_.notes.addEvent(now_, "cameras",
+                          images.none() ? tr("images as they come") : QString::fromStdString(images.words()));
+  }
+  const auto& source = link_.runner()->info();
+  if (scale != scale_ && source.rig) {
+    const auto rig = registration::scaledBaseline(*source.rig, scale);
+    const QString words = tr("base line %1 mm").arg(base::toMillimetres(rig.baseline()), 0, 'f', 2);
+    link_.runner()->setRig(rig, words.toStdString());
+    views_.scene.setRobot(link_.runner()->robot(), rig, in_use_);
+    views_.notes.addEvent(now_, "cameras", words);
+  }
+  images_ = images;
+  scale_ = scale;
+}
+
+void RegistrationController::addToHistory(registration::HistoryEntry entry) {
+  entry.date = QDateTime::currentDateTime().toString(Qt::ISODate).toStdString();
+  if (link_.runner()) {
+    entry.robot = link_.runner()->robot().name;
+    entry.session = link_.runner()->info().title;
+  }
+  HistoryPage& page = views_.panel.historyPage();
+  try {
+    page.setEntries(registration::addToHistory(views_.history, entry));
+    page.showFault({});
+  } catch (const base::InputError& error) {
+    page.showFault(QString::fromUtf8(error.what()));
+    views_.news.showMessage(
+        tr("The registration was not added to the history: %1").arg(QString::fromUtf8(error.what())));
+  }
+}
+
+void RegistrationController::readHistory() {
+  HistoryPage& page = views_.panel.historyPage();
+  try {
+    page.setEntries(registration::readHistory(views_.history));
+    page.showFault({});
+  } catch (const base::InputError& error) {
+    page.setEntries({});
+    page.showFault(QString::fromUtf8(error.what()));
+  }
+}
+
+/// Puts a registration of the history or of a file in use.
+void RegistrationController::useAgain(const registration::HistoryEntry& entry) {
+  of_poses_ = false;
+  use(*entry.pose(), tr("%1 %2").arg(QString::fromUtf8(base::nameOf(entry.decision).data()),
+                                     QString::fromStdString(entry.reason)));
+  addToHistory(entry);
+  if (!views_.panel.active()) begin();
 }
 
 /// Poses are tips by the robot's constants: with other constants, the registration that was fitted to them is
@@ -112,8 +227,11 @@ void RegistrationController::followRobot() {
                           "%1 mm instead of %2 mm.")
                            .arg(after, 0, 'f', 2)
                            .arg(before, 0, 'f', 2),
-                       {{tr("Register again"), [this, pose = fit.base_from_camera] {
-                           use(pose, tr("fitted again to the same poses"));
+                       {{tr("Register again"), [this, fit] {
+                           auto entry = registration::entryOf(registration::Decision::kAccepted, fit);
+                           entry.reason = "fitted again to the same poses, with other constants of the robot";
+                           use(fit.base_from_camera, tr("fitted again to the same poses"));
+                           addToHistory(entry);
                          }}});
 }
 
@@ -136,11 +254,10 @@ void RegistrationController::command(void (simulation::SimulatedSource::*what)()
 }
 
 void RegistrationController::begin() {
-  tracking::SourceInfo info = link_.runner()->info();
-  info.robot = link_.runner()->robot();  // poses are tips by its constants
+  const tracking::SourceInfo info = link_.runner()->infoInUse();  // poses are tips by its robot's constants
   auto current = in_use_;
   if (!current && info.live) current = simulation::nominalBaseFromCamera(info.robot);
-  views_.panel.begin(info, current);
+  views_.panel.begin(info, current, link_.runner()->marker());
 }
 
 }  // namespace capstan::widgets

@@ -2,7 +2,11 @@
 
 #include <Eigen/Geometry>
 #include <QObject>
+#include <filesystem>
 #include <optional>
+
+#include "core/registration/camera_checks.h"
+#include "core/registration/registration_history.h"
 
 class QDockWidget;
 
@@ -21,11 +25,12 @@ class RegistrationPanel;
 class SceneView;
 class SessionBar;
 class SessionLink;
+class SettingsUndo;
 
 /// Connects the registration panel to the running session: moves the simulated arm, passes the accepted pose
 /// of the cameras to the pipeline and the scene, and adds an entry in the bar and notes. When the robot
 /// changes, as by an identification, poses that the registration in use was fitted to are fitted again, and
-/// the better registration is offered.
+/// the better registration is offered. Keeps the history of all decisions.
 class RegistrationController : public QObject {
   Q_OBJECT
 
@@ -36,6 +41,8 @@ class RegistrationController : public QObject {
     SceneView& scene;
     NotesPanel& notes;
     MessageBar& news;
+    SettingsUndo& undo;
+    std::filesystem::path history;  ///< file of the history of registrations
   };
   RegistrationController(const Views& views, SessionLink& link, SessionBar& bar, QObject* parent);
 
@@ -47,12 +54,20 @@ class RegistrationController : public QObject {
   void keepAccepted();
   void use(const Eigen::Isometry3d& base_from_camera, const QString& how);
   void followRobot();
+  void watchCameras();
+  void correct(const registration::CameraRemedy& remedy);
+  void useCameras(const vision::ImageCorrection& images, double scale);
+  void addToHistory(registration::HistoryEntry entry);
+  void readHistory();
+  void useAgain(const registration::HistoryEntry& entry);
 
   Views views_;
   SessionLink& link_;
   double now_ = 0.0;  ///< newest session time [s]
   std::optional<Eigen::Isometry3d> in_use_;
   std::optional<Eigen::Isometry3d> accepted_;  ///< accepted by a user for this source
+  vision::ImageCorrection images_;             ///< correction of the source's images, in use
+  double scale_ = 1.0;                         ///< of the source's base line, in use
   bool of_poses_ = false;                      ///< the registration in use was fitted to the panel's poses
 };
 

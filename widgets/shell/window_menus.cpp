@@ -17,7 +17,7 @@ namespace {
 
 // Docks by the number of their key; the registration has a key of its own.
 constexpr std::array kDocks = {"cameras", "scene", "occlusion", "identification", "errors", "notes"};
-constexpr std::array kFloating = {"health", "calibration"};  // by the keys after those
+constexpr std::array kFloating = {"health", "calibration", "filter"};  // by the keys after those
 
 void addActions(QMenu& menu, const MainWindow& window, std::initializer_list<const char*> names) {
   for (const char* name : names)

@@ -39,7 +39,14 @@ std::optional<FramePair> FramePairer::add(int side, double t, const cv::Mat& ima
     const std::size_t older = left.t < right.t ? 0 : 1;
     exclude(older, &held_[1 - older].front());
   }
+<<<<<<< HEAD
   return {};
+=======
+  FramePair pair{0.5 * (held_[0]->t + held_[1]->t), held_[0]->image, held_[1]->image,
+                 held_[1]->t - held_[0]->t};
+  held_[0].reset(), held_[1].reset();
+  return pair;
+>>>>>>> d2d512c7ccfdc405a643a057697d888d6c2cd6d1
 }
 
 }  // namespace capstan::live

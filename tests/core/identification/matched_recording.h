@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cmath>
+#include <functional>
 #include <string>
 
 #include "core/base/random.h"
@@ -31,6 +32,7 @@ struct RecordingOptions {
   CameraPose pose = {};     ///< what the registration does not know
   bool moves = true;
   std::uint64_t seed = 1;
+  std::function<Eigen::Vector3d(double)> motion = {};  ///< joints at t [s]; none: a swing
 };
 
 /// A recording of an arm that is exactly the filter's model with `truth`, and noise that is exactly as
@@ -45,6 +47,7 @@ inline IdentificationData matchedRecording(const robot::Description& truth, cons
   data.title = "matched";
   data.robot = nominal;
   const auto motorAt = [&](double t) {
+    if (options.motion) return Eigen::Vector3d(transmission.motorFromJoint(options.motion(t)));
     const double swing = options.moves ? 1.0 : 0.0;
     const Eigen::Vector3d q(0.6 + swing * 0.5 * std::sin(1.3 * t),
                             1.6 + swing * 0.4 * std::sin(1.9 * t + 1.0),

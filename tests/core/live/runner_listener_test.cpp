@@ -179,6 +179,48 @@ TEST(RunnerRobot, KeepsTheRegistrationAndStandsInRecordings) {
   }));
 }
 
+TEST(RunnerOptions, OfTheFilterAreExchangedAndStandInRecordings) {
+  const TemporaryFolder folder;
+  Running running(3.0);
+  const Eigen::Isometry3d pose(Eigen::Translation3d(0.1, 0.2, 0.3));
+  running.runner->setRegistration(pose);
+  running.runner->setRobot(otherRobot(), "smaller");
+  const auto header = recording::headerOf(running.runner->info(), "2026-11-21");
+  running.runner->startRecording(folder / "a.capstan", header);
+  tracking::TrackingOptions options = running.runner->tracking();
+  options.gate_probability = 0.9;
+  running.runner->setTracking(options);
+  std::optional<tracking::TrackingOptions> used;
+  std::optional<Eigen::Isometry3d> registration;
+  double radius = 0.0;
+  running.runner->post([&](tracking::Source&, tracking::TrackingPipeline& pipeline) {
+    used = pipeline.options();
+    registration = pipeline.registration();
+    radius = pipeline.robot().drives[0].link_radius;
+  });
+  running.runner->stepFrame();
+  ASSERT_TRUE(running.runner->waitUntilIdle(30.0));
+  EXPECT_EQ(used->gate_probability, 0.9);
+  EXPECT_EQ(running.runner->tracking().gate_probability, 0.9);
+  ASSERT_TRUE(registration);
+  EXPECT_EQ(registration->matrix(), pose.matrix());
+  EXPECT_EQ(radius, otherRobot().drives[0].link_radius) << "the robot stays";
+  running.runner->startRecording(folder / "b.capstan", header);
+  running.runner->stepFrame();
+  ASSERT_TRUE(running.runner->waitUntilIdle(30.0));
+  running.runner.reset();
+  const auto gate = [&](const char* name) {
+    const auto text = recording::readSessionSummary(folder / name).header.tracking;
+    return base::readYaml<tracking::TrackingOptions>(text, name).gate_probability;
+  };
+  EXPECT_EQ(gate("a.capstan"), tracking::TrackingOptions{}.gate_probability);
+  EXPECT_EQ(gate("b.capstan"), 0.9);
+  const auto events = recording::readSessionEvents(folder / "a.capstan");
+  EXPECT_TRUE(std::any_of(events.begin(), events.end(), [](const recording::SessionEvent& event) {
+    return event.kind == "filter options" && event.text == "gate_probability: 0.9";
+  }));
+}
+
 TEST(RunnerRobot, OneThatThePipelineCannotTakeChangesNothing) {
   const Running running(2.0);
   robot::Description robot = raven();

@@ -56,6 +56,52 @@ TEST_F(CommanderTest, HoldsOnThePathAndGoesOn) {
   EXPECT_NEAR(commander_.pathTime(), held + 1.75, 0.01);
 }
 
+TEST_F(CommanderTest, FollowsAnotherMotionAndReturnsToThePath) {
+  TrajectorySpec spec;
+  spec.kind = TrajectoryKind::kSinusoid;
+  spec.duration = 6.0;
+  spec.sinusoid.centre = {0.9, 1.4, 0.40};
+  spec.sinusoid.amplitude = {0.1, 0.1, 0.01};
+  spec.sinusoid.frequency = {0.8, 0.9, 1.0};
+  const std::shared_ptr<const Trajectory> motion = makeTrajectory(spec, raven(), 1);
+  run(2.0);
+  commander_.setMotion(motion);
+  commander_.command(MotionCommand::kMotion);
+  run(1.0);
+  const double left = commander_.pathTime();
+  double away = 0.0;
+  for (int i = 0; i < 12000 && !commander_.motionDone(); ++i) {
+    commander_.step(kTick);
+    away = std::max(away, (commander_.target().position - spec.sinusoid.centre).norm());
+  }
+  ASSERT_TRUE(commander_.motionDone());
+  EXPECT_EQ(commander_.pathTime(), left);
+  EXPECT_GT(away, 0.1);
+  commander_.command(MotionCommand::kRun);
+  EXPECT_FALSE(commander_.motionDone());
+  run(4.0);
+  EXPECT_GT(commander_.pathTime(), left) << "back on the path";
+}
+
+TEST_F(CommanderTest, ANewMotionOrCommandEndsOneWithoutAJump) {
+  TrajectorySpec spec;
+  spec.kind = TrajectoryKind::kSinusoid;
+  spec.duration = 20.0;
+  spec.sinusoid.centre = {0.9, 1.4, 0.40};
+  const std::shared_ptr<const Trajectory> first = makeTrajectory(spec, raven(), 1);
+  spec.sinusoid.centre = {0.5, 1.7, 0.35};
+  const std::shared_ptr<const Trajectory> second = makeTrajectory(spec, raven(), 1);
+  commander_.setMotion(first);
+  commander_.command(MotionCommand::kMotion);
+  run(8.0);
+  commander_.setMotion(second);
+  run(4.0);
+  EXPECT_LT((commander_.target().position - spec.sinusoid.centre).cwiseAbs().maxCoeff(), 0.5);
+  commander_.command(MotionCommand::kHardStop);
+  run(12.0);
+  EXPECT_TRUE(commander_.atHardStop());
+}
+
 TEST_F(CommanderTest, DrivesToTheHardStopWaitsAndReturns) {
   run(2.0);
   commander_.command(MotionCommand::kHardStop);

@@ -12,7 +12,8 @@
 #include <QStackedWidget>
 
 #include "core/base/error.h"
-#include "widgets/figures/number_text.h"
+#include "widgets/panels/identification/change_text.h"
+#include "widgets/panels/identification/motion_offer.h"
 #include "widgets/panels/identification/parameter_choice.h"
 #include "widgets/panels/identification/parameter_table.h"
 #include "widgets/panels/identification/trace_plot.h"
@@ -28,18 +29,6 @@ constexpr int kRoomForTrace = 330;  ///< height of the panel below which the tab
 constexpr int kAdviceLines = 2;
 
 QString text(const std::string& words) { return QString::fromStdString(words); }
-
-/// Change as "drives[0].link_radius\n  0.063095 → 0.059021  −6.46 %".
-QString changesText(const std::vector<identification::RobotChange>& changes) {
-  QStringList lines;
-  for (const auto& change : changes)
-    lines << text(change.key)
-          << QStringLiteral("  %1 → %2  %3 %")
-                 .arg(change.nominal, 0, 'g', 5)
-                 .arg(change.identified, 0, 'g', 5)
-                 .arg(signedText(change.percent, 2));
-  return lines.isEmpty() ? QObject::tr("no difference") : lines.join('\n');
-}
 
 }  // namespace
 
@@ -59,6 +48,7 @@ IdentificationPanel::IdentificationPanel(QWidget* parent) : QWidget(parent) {
   advice_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   advice_->setMinimumHeight(kAdviceLines * QFontMetrics(advice_->font()).lineSpacing());
   column->addWidget(advice_);
+  column->addWidget(offer_ = new MotionOffer);
   progress_ = new QProgressBar;
   progress_->setMaximumHeight(14);
   progress_->setTextVisible(false);
@@ -67,6 +57,14 @@ IdentificationPanel::IdentificationPanel(QWidget* parent) : QWidget(parent) {
   addKeys();
   connect(choice_, &ParameterChoice::changed, this, &IdentificationPanel::showButtons);
   connect(table_, &ParameterTable::chosenChanged, this, &IdentificationPanel::showChosen);
+  connect(offer_, &MotionOffer::proposeRequested, this, [this] {
+    offer_->setSearching(true);
+    poll();
+  });
+  connect(offer_, &MotionOffer::driveRequested, this, [this](const auto& motion, const QString& words) {
+    Q_EMIT motionRequested(motion, words);
+    if (live_.phase() == LivePhase::kStopped) startOrStop();
+  });
   connect(&polls_, &QTimer::timeout, this, &IdentificationPanel::poll);
   connect(&job_, &Job::ended, this, &IdentificationPanel::poll);
   connect(&job_, &Job::failed, this, [this](const QString& why) {
@@ -163,6 +161,7 @@ void IdentificationPanel::addKeys() {
   key("Ctrl+Backspace", discard_);
   key("Ctrl+Return", accept_);
   key("Ctrl+S", save_);
+  key("Shift+M", &offer_->button());
 }
 
 void IdentificationPanel::setTheme(const Theme& theme) {
@@ -178,6 +177,8 @@ void IdentificationPanel::setTheme(const Theme& theme) {
 void IdentificationPanel::begin(const tracking::SourceInfo& source) {
   job_.cancel();
   title_ = source.title;
+  offer_->setDrivable(source.live && !source.real_time);
+  offer_->setWeak(false);
   live_.begin(source.robot, title_);
   in_use_ = source.robot;
   said_.clear();
@@ -280,6 +281,7 @@ void IdentificationPanel::saveRobot(const QString& path) {
 /// The user has decided: cancels running work, and stops sending samples to an old recording.
 void IdentificationPanel::overtake() {
   job_.cancel();
+  offer_->setSearching(false);
   if (live_.sink() != sink_) {
     sink_ = live_.sink();
     Q_EMIT listenerRequested(sink_);
@@ -295,7 +297,9 @@ void IdentificationPanel::overtake() {
 /// Starts the next run when it is due.
 void IdentificationPanel::poll() {
   const auto now = [this] { return 1e-3 * static_cast<double>(clock_.elapsed()); };
-  if (!job_.busy())
+  if (!job_.busy() && offer_->searching())
+    propose();
+  else if (!job_.busy())
     if (const auto request = live_.next(now()))
       job_.start([request = *request](
                      base::Progress& progress) { return identification::runLive(request, progress); },
@@ -318,7 +322,8 @@ void IdentificationPanel::refresh() {
   words_->setText(stateWords());
   pages_->setCurrentIndex(results ? 1 : accepted ? 2 : 0);
   if (accepted) {
-    const QString changed = changesText(live_.changes());
+    QString changed = changesText(live_.changes());
+    if (live_.error()) changed = errorsText(*live_.error(), in_use_) + "\n\n" + changed;
     if (changed != changes_->toPlainText()) changes_->setPlainText(changed);
   }
   if (auto rows = live_.rows(); rows != rows_) {
@@ -326,9 +331,22 @@ void IdentificationPanel::refresh() {
     table_->showRows(rows_);
   }
   advice_->setVisible(results);
+  offer_->setWeak(live_.motionRequest().has_value() && !live_.refining());
   progress_->setVisible(live_.refining());
   showChosen();
   showButtons();
+}
+
+/// Runs beside no other run: a recording is read by one at a time.
+void IdentificationPanel::propose() {
+  const auto request = live_.motionRequest();
+  if (!request) return offer_->setSearching(false);
+  job_.start(
+      [request = *request, estimates = live_.shown().estimates](base::Progress& progress) {
+        return identification::proposeMotion(request.recording->data(), request.set, estimates,
+                                             request.camera, progress);
+      },
+      [this](std::optional<identification::MotionProposal> found) { offer_->setProposal(std::move(found)); });
 }
 
 void IdentificationPanel::showChosen() {

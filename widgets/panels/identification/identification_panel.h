@@ -5,6 +5,7 @@
 #include <QWidget>
 #include <memory>
 
+#include "core/identification/better_motion.h"
 #include "core/identification/live_identification.h"
 #include "core/live/runner.h"
 #include "widgets/figures/theme.h"
@@ -19,6 +20,7 @@ class QVBoxLayout;
 
 namespace capstan::widgets {
 
+class MotionOffer;
 class ParameterChoice;
 class ParameterTable;
 class TracePlot;
@@ -53,6 +55,7 @@ class IdentificationPanel : public QWidget {
   QString words() const;
   QString advice() const;
   QString changes() const;
+  MotionOffer& motionOffer() { return *offer_; }
 
  signals:
   /// Requests that samples are sent to `sink` from now on; null: to nobody.
@@ -60,6 +63,8 @@ class IdentificationPanel : public QWidget {
   /// Requests that the pipeline uses `robot`; `summary` lists the differences.
   void robotChosen(const capstan::robot::Description& robot, const QString& summary);
   void robotSaved(const QString& path);
+  /// Requests that the robot is driven along a motion.
+  void motionRequested(const capstan::identification::SinusoidMotion& motion, const QString& words);
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
@@ -75,6 +80,7 @@ class IdentificationPanel : public QWidget {
   void accept();
   void revert();
   void askFile();
+  void propose();
   void overtake();
   void poll();
   void refresh();
@@ -94,6 +100,7 @@ class IdentificationPanel : public QWidget {
   QElapsedTimer clock_;
   QTimer polls_;
   QLabel *words_, *advice_;
+  MotionOffer* offer_;
   QStackedWidget* pages_;
   ParameterChoice* choice_;
   QWidget* results_;

@@ -12,7 +12,8 @@ class QLabel;
 
 namespace capstan::widgets {
 
-/// Check boxes for the parameters to identify: pulley radius, stiffness, damping and friction per joint.
+/// Check boxes for the twelve parameters to identify, by name: pulley radius, stiffness, damping and friction
+/// of each joint.
 class ParameterChoice : public QWidget {
   Q_OBJECT
 

@@ -2,6 +2,7 @@
 
 #include <QBoxLayout>
 #include <QButtonGroup>
+#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QPushButton>
@@ -73,9 +74,8 @@ void OcclusionPanel::addSchedule(QVBoxLayout* column) {
     button->setChecked(share == 0);
     button->setMinimumWidth(24);
     button->setProperty("segment", true);
-    button->setToolTip(share == 0
-                           ? QString("No schedule")
-                           : QString("Both cameras blocked %1 % of the time, at equal spacing").arg(share));
+    button->setToolTip(share == 0 ? QString("No schedule")
+                                  : QString("Cameras blocked %1 % of the time, at equal spacing").arg(share));
     shares_->addButton(button, share);
     row->addWidget(button, 1);
   }
@@ -93,7 +93,17 @@ void OcclusionPanel::addSchedule(QVBoxLayout* column) {
   interval_->setToolTip("Length of each blocked interval");
   connect(interval_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [this] { changeSchedule(); });
   schedule_state_ = new QLabel;
-  line->addWidget(new QLabel("intervals of"));
+  cameras_ = new QComboBox;
+  cameras_->setObjectName("cameras");
+  cameras_->setAccessibleName("cameras of the schedule");
+  cameras_->setToolTip(
+      "Cameras that the schedule blocks. With one, the filter may use the ray of the other: "
+      "filter options, one camera blocked (Ctrl+9)");
+  for (const auto& [which, name] : base::NamesOf<live::BlockedCameras>::value)
+    cameras_->addItem(name, static_cast<int>(which));
+  connect(cameras_, qOverload<int>(&QComboBox::currentIndexChanged), this, [this] { changeSchedule(); });
+  line->addWidget(cameras_);
+  line->addWidget(new QLabel("for"));
   line->addWidget(interval_);
   line->addStretch(1);
   line->addWidget(schedule_state_);
@@ -118,6 +128,7 @@ void OcclusionPanel::setTheme(const Theme& theme) {
 }
 
 QString OcclusionPanel::observation() const {
+  if (ray_) return "now: observing a single ray";
   if (gate_ != tracking::Gate::kOpen) return "now: observing the motors (q_kin)";
   return tip_alone_ ? QString("now: observing the tip (q_cam)")
                     : QString("now: observing the camera (q_cam)");
@@ -131,7 +142,7 @@ QString OcclusionPanel::reason() const {
   if (gate_ == tracking::Gate::kExchanged)
     return "left and right camera exchanged: exchange their plugs, or left and right in the live set-up.";
   QString why = text(gate_words_);
-  if (tip_alone_) return why + ".";
+  if (tip_alone_ || ray_) return why + ".";
   for (std::size_t side = 0; side < 2; ++side) {
     const bool concerned = gate_ == tracking::Gate::kBothLost ||
                            gate_ == (side == 0 ? tracking::Gate::kLeftLost : tracking::Gate::kRightLost);
@@ -148,28 +159,43 @@ void OcclusionPanel::showSnapshot(const tracking::Snapshot& snapshot) {
   timeline_->setNow(t_);
   const std::array<vision::MarkerFault, 2> faults = {snapshot.marker[0].fault, snapshot.marker[1].fault};
   const bool tip_alone = tracking::tipAlone(snapshot);
-  if (snapshot.gate == gate_ && faults == faults_ && tip_alone == tip_alone_) return;
+  if (snapshot.gate == gate_ && faults == faults_ && tip_alone == tip_alone_ && snapshot.ray_used == ray_)
+    return;
   gate_ = snapshot.gate;
   gate_words_ = tracking::gateWords(snapshot);
   tip_alone_ = tip_alone;
+  ray_ = snapshot.ray_used;
   faults_ = faults;
   now_->setText(observation());
   reason_->setText(reason());
 }
 
+/// Whether the schedule blocks its cameras now. Not visible while they are blocked by hand anyway.
+bool OcclusionPanel::scheduledNow() const {
+  using live::BlockedCameras;
+  const std::array<bool, 2> of = {schedule_.cameras != BlockedCameras::kRight,
+                                  schedule_.cameras != BlockedCameras::kLeft};
+  bool all = true, by_hand = true;
+  for (std::size_t side = 0; side < 2; ++side) {
+    all = all && (!of[side] || blocked_[side]);
+    by_hand = by_hand && (!of[side] || hand_[side]);
+  }
+  return schedule_.percentage > 0.0 && all && !by_hand;
+}
+
 void OcclusionPanel::showBlocked(const std::array<bool, 2>& blocked) {
-  const bool scheduled = schedule_.percentage > 0.0 && blocked[0] && blocked[1] && !(hand_[0] && hand_[1]);
   blocked_ = blocked;
   markButtons();
   schedule_state_->setText(schedule_.percentage <= 0.0 ? QString()
-                           : scheduled                 ? QString("blocked")
+                           : scheduledNow()            ? QString("blocked")
                                                        : QString("observable"));
 }
 
 void OcclusionPanel::setSchedule(const live::OcclusionSchedule& schedule) {
   schedule_ = schedule;
-  const QSignalBlocker quiet(interval_);
+  const QSignalBlocker quiet(interval_), quiet_too(cameras_);
   interval_->setValue(schedule.interval);
+  cameras_->setCurrentIndex(cameras_->findData(static_cast<int>(schedule.cameras)));
   if (auto* button = shares_->button(qRound(schedule.percentage))) button->setChecked(true);
   timeline_->setSchedule(schedule_);
 }
@@ -177,7 +203,7 @@ void OcclusionPanel::setSchedule(const live::OcclusionSchedule& schedule) {
 void OcclusionPanel::beginSession(double t, bool again) {
   if (!again) {
     hand_ = before_ = {};
-    setSchedule({0.0, schedule_.interval, t});
+    setSchedule({0.0, schedule_.interval, t, schedule_.cameras});
   }
   t_ = schedule_.start = t;
   blocked_ = hand_;
@@ -194,6 +220,7 @@ void OcclusionPanel::setBlockable(bool blockable) {
 void OcclusionPanel::changeSchedule() {
   schedule_.percentage = std::max(0, shares_->checkedId());
   schedule_.interval = interval_->value();
+  schedule_.cameras = static_cast<live::BlockedCameras>(cameras_->currentData().toInt());
   schedule_.start = t_;
   timeline_->setSchedule(schedule_);
   showBlocked(hand_);

@@ -10,6 +10,7 @@
 #include "widgets/panels/occlusion/hold_keys.h"
 
 class QButtonGroup;
+class QComboBox;
 class QDoubleSpinBox;
 class QLabel;
 class QPushButton;
@@ -21,7 +22,8 @@ class OcclusionTimeline;
 
 /// Blocks the cameras by hand or by schedule, and shows which measurements the filter uses meanwhile. The
 /// buttons left, right and both are toggles (keys L, K and B); a press longer than a third of a second blocks
-/// only until its release.
+/// only until its release. The schedule blocks both cameras or one of them: then the filter may go on with
+/// the ray of the other one (tracking::OneCamera).
 class OcclusionPanel : public QWidget {
   Q_OBJECT
 
@@ -59,6 +61,7 @@ class OcclusionPanel : public QWidget {
   void set(std::array<bool, 2> blocked);
   void changeSchedule();
   void markButtons();
+  bool scheduledNow() const;
 
   Theme theme_ = Theme::dark();
   std::array<QPushButton*, 3> buttons_{};
@@ -68,6 +71,7 @@ class OcclusionPanel : public QWidget {
   std::array<bool, 2> blocked_{};                   // actually blocked
   std::array<bool, 3> marked_on_{}, marked_lit_{};  // as shown by the buttons
   QButtonGroup* shares_ = nullptr;
+  QComboBox* cameras_ = nullptr;
   QDoubleSpinBox* interval_ = nullptr;
   OcclusionTimeline* timeline_ = nullptr;
   QLabel* now_ = nullptr;
@@ -77,6 +81,7 @@ class OcclusionPanel : public QWidget {
   live::OcclusionSchedule schedule_;
   tracking::Gate gate_ = tracking::Gate::kNoCamera;
   std::string_view gate_words_ = base::nameOf(gate_);
+  bool ray_ = false;        // one camera alone is observed
   bool tip_alone_ = false;  // the tip is measured externally, without images
   std::array<vision::MarkerFault, 2> faults_{};
   double t_ = 0.0;

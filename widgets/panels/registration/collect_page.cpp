@@ -32,6 +32,9 @@ CollectPage::CollectPage(QWidget* parent) : QWidget(parent) {
   refusal_->setTextFormat(Qt::RichText);
   refusal_->setMargin(8);
   back_ = new QPushButton("Back to the stop");
+  exchange_ = new QPushButton("Exchange the cameras");
+  exchange_->setObjectName("exchange");
+  exchange_->hide();
   again_ = new QPushButton("Collect again");
   again_->setProperty("primary", true);
   column->addWidget(count_);
@@ -43,9 +46,11 @@ CollectPage::CollectPage(QWidget* parent) : QWidget(parent) {
   auto* row = new QHBoxLayout;
   row->addWidget(back_);
   row->addStretch(1);
+  row->addWidget(exchange_);
   row->addWidget(again_);
   column->addLayout(row);
   connect(back_, &QPushButton::clicked, this, &CollectPage::backRequested);
+  connect(exchange_, &QPushButton::clicked, this, &CollectPage::exchangeRequested);
   connect(again_, &QPushButton::clicked, this, &CollectPage::againRequested);
 }
 
@@ -81,6 +86,7 @@ void CollectPage::showGuide(const registration::RegistrationGuide& guide) {
   listOutliers(guide);
   refusal_->setVisible(refused);
   again_->setVisible(refused);
+  exchange_->setVisible(refused && guide.fault() == registration::RegistrationFault::kCamerasExchanged);
   again_->setEnabled(guide.canCollect() && !ended_);
   if (!refused) return;
   const auto name = base::nameOf(guide.fault());

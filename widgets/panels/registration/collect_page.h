@@ -30,6 +30,8 @@ class CollectPage : public QWidget {
  signals:
   void againRequested();
   void backRequested();
+  /// The cameras are exchanged, as the refusal says.
+  void exchangeRequested();
 
  private:
   void listOutliers(const registration::RegistrationGuide& guide);
@@ -41,7 +43,7 @@ class CollectPage : public QWidget {
   QLabel* sigma_;
   QListWidget* outliers_;
   QLabel* refusal_;
-  QPushButton *back_, *again_;
+  QPushButton *back_, *exchange_, *again_;
   bool ended_ = false;
 };
 

@@ -133,19 +133,31 @@ QWidget* PosesPage::makeDecision() {
     refresh();
   });
   connect(reason_, &QComboBox::editTextChanged, this, [this] { refresh(); });
-  connect(reject_, &QPushButton::clicked, this, [this] {
-    const QString reason = reason_->currentText().trimmed();
-    collector_->clear();
-    reason_->clearEditText();
-    refresh();
-    Q_EMIT rejected(reason);
-  });
-  connect(accept_, &QPushButton::clicked, this, [this] {
-    current_ = collector_->fit()->base_from_camera;
-    setCollecting(false);
-    Q_EMIT accepted(*current_, summary());
-  });
+  connect(reject_, &QPushButton::clicked, this, &PosesPage::reject);
+  connect(accept_, &QPushButton::clicked, this, &PosesPage::accept);
   return box;
+}
+
+void PosesPage::accept() {
+  const auto entry = registration::entryOf(registration::Decision::kAccepted, *collector_->fit());
+  current_ = entry.pose();
+  setCollecting(false);
+  Q_EMIT accepted(*current_, summary());
+  Q_EMIT decided(entry);
+}
+
+void PosesPage::reject() {
+  using registration::Decision;
+  registration::HistoryEntry entry;
+  if (collector_->fit()) entry = registration::entryOf(Decision::kRejected, *collector_->fit());
+  entry.decision = Decision::kRejected;
+  const QString reason = reason_->currentText().trimmed();
+  entry.reason = reason.toStdString();
+  collector_->clear();
+  reason_->clearEditText();
+  refresh();
+  Q_EMIT rejected(reason);
+  Q_EMIT decided(entry);
 }
 
 void PosesPage::setTheme(const Theme& theme) {

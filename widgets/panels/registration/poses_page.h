@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/registration/pose_collector.h"
+#include "core/registration/registration_history.h"
 #include "core/tracking/snapshot.h"
 #include "widgets/figures/theme.h"
 
@@ -45,11 +46,15 @@ class PosesPage : public QWidget {
  signals:
   void accepted(const Eigen::Isometry3d& base_from_camera, const QString& summary);
   void rejected(const QString& reason);
+  /// Follows accepted() and rejected(). Date, robot and session are empty.
+  void decided(const capstan::registration::HistoryEntry& entry);
 
  private:
   void makeTable();
   QWidget* makeDecision();
   void setCollecting(bool on);
+  void accept();
+  void reject();
   void refresh();
   void fillTable();
   void fillRow(int row);

@@ -6,7 +6,9 @@
 #include <QStackedWidget>
 #include <QTabWidget>
 
+#include "widgets/panels/registration/camera_strip.h"
 #include "widgets/panels/registration/collect_page.h"
+#include "widgets/panels/registration/history_page.h"
 #include "widgets/panels/registration/poses_page.h"
 #include "widgets/panels/registration/result_page.h"
 #include "widgets/panels/registration/step_bar.h"
@@ -24,8 +26,10 @@ RegistrationPanel::RegistrationPanel(QWidget* parent) : QWidget(parent) {
   tabs_->setDocumentMode(true);  // no frame within the frame
   tabs_->addTab(makeHardStop(), "Hard stop");
   tabs_->addTab(poses_ = new PosesPage, "Several poses");
+  tabs_->addTab(history_ = new HistoryPage, "History");
   tabs_->setTabToolTip(0, "One pose: the position of the cameras; their rotation is known");
   tabs_->setTabToolTip(1, "Position and rotation of the cameras");
+  tabs_->setTabToolTip(2, "Earlier registrations: compare, restore, export");
   ended_ = new QLabel(
       "The session has ended: the arm cannot be driven and no frames arrive. Begin it again (Space).");
   ended_->setWordWrap(true);
@@ -35,11 +39,14 @@ RegistrationPanel::RegistrationPanel(QWidget* parent) : QWidget(parent) {
   bottom->addWidget(ended_, 1);
   bottom->addStretch();
   bottom->addWidget(close_);
+  column->addWidget(cameras_ = new CameraStrip);
   column->addWidget(tabs_, 1);
   column->addLayout(bottom);
   setWindowTitle("Register cameras");
+  connect(cameras_, &CameraStrip::remedyRequested, this, &RegistrationPanel::remedyRequested);
   connect(poses_, &PosesPage::accepted, this, &RegistrationPanel::accepted);
   connect(poses_, &PosesPage::rejected, this, &RegistrationPanel::rejected);
+  connect(poses_, &PosesPage::decided, this, &RegistrationPanel::decided);
   connect(close_, &QPushButton::clicked, this, [this] {
     if (guide_) guide_->leave();
     poses_->stop();
@@ -79,6 +86,8 @@ QWidget* RegistrationPanel::makeHardStop() {
   connect(stop_, &StopPage::collectRequested, this, collect);
   connect(collect_, &CollectPage::againRequested, this, collect);
   connect(result_, &ResultPage::redoRequested, this, collect);
+  connect(collect_, &CollectPage::exchangeRequested, this,
+          [this] { Q_EMIT remedyRequested({.correction = {.exchange = true, .mirror = {}, .flip = {}}}); });
   connect(collect_, &CollectPage::backRequested, this, [this] {
     if (guide_) guide_->back();
     refresh();
@@ -87,33 +96,46 @@ QWidget* RegistrationPanel::makeHardStop() {
     if (!guide_ || !guide_->proposal()) return;
     guide_->accept();
     const auto pose = guide_->proposal()->registration.base_from_camera;
+    const auto entry =
+        registration::entryOf(registration::Decision::kAccepted, *guide_->proposal(), guide_->scatter());
     finish("The new registration is in use.");
     Q_EMIT accepted(pose, result_->summary());
+    Q_EMIT decided(entry);
   });
   connect(result_, &ResultPage::rejectRequested, this, [this](const QString& reason) {
+    if (!guide_ || !guide_->proposal()) return;
+    auto entry =
+        registration::entryOf(registration::Decision::kRejected, *guide_->proposal(), guide_->scatter());
+    entry.reason = reason.toStdString();
     guide_->reject(reason.toStdString());
     finish("Rejected: " + reason + ".\nThe registration in use stays.");
     Q_EMIT rejected(reason);
+    Q_EMIT decided(entry);
   });
   return page;
 }
 
 void RegistrationPanel::setTheme(const Theme& theme) {
   theme_ = theme;
+  cameras_->setTheme(theme);
   steps_->setTheme(theme);
   stop_->setTheme(theme);
   collect_->setTheme(theme);
   result_->setTheme(theme);
   poses_->setTheme(theme);
+  history_->setTheme(theme);
 }
 
 void RegistrationPanel::begin(const tracking::SourceInfo& source,
-                              const std::optional<Eigen::Isometry3d>& current) {
+                              const std::optional<Eigen::Isometry3d>& current,
+                              const vision::MarkerOptions& marker) {
   guide_ = std::make_unique<registration::RegistrationGuide>(source.robot, source.rig);
   guide_->start(current);
+  cameras_->begin(source.rig, marker);
   stop_->setDrivable(source.live);
   result_->setRig(source.robot, source.rig);
   poses_->begin(source.robot, current);
+  history_->setRobot(source.robot);
   close_->setText("Cancel");
   shown_ = RegistrationStep::kIdle;
   refresh();

@@ -4,7 +4,9 @@
 #include <memory>
 #include <optional>
 
+#include "core/registration/camera_checks.h"
 #include "core/registration/registration_guide.h"
+#include "core/registration/registration_history.h"
 #include "core/tracking/snapshot.h"
 #include "core/tracking/source.h"
 #include "core/vision/registration.h"
@@ -17,15 +19,18 @@ class QTabWidget;
 
 namespace capstan::widgets {
 
+class CameraStrip;
 class CollectPage;
+class HistoryPage;
 class PosesPage;
 class ResultPage;
 class StepBar;
 class StopPage;
 
 /// Registration during the running session: at the hard stop in three steps, by a
-/// registration::RegistrationGuide, or in several poses, which also gives the rotation (PosesPage). The owner
-/// passes it every snapshot with camera_updated and, for the overlay, frames.
+/// registration::RegistrationGuide, or in several poses, which also gives the rotation (PosesPage); and the
+/// history of both (HistoryPage). The owner passes it every snapshot with camera_updated and, for the
+/// overlay, frames.
 class RegistrationPanel : public QWidget {
   Q_OBJECT
 
@@ -36,7 +41,8 @@ class RegistrationPanel : public QWidget {
   void setTheme(const Theme& theme);
   /// Starts again for a source. `current`: the registration in use, or else the nominal mounting of the
   /// cameras; its rotation is assumed to be known.
-  void begin(const tracking::SourceInfo& source, const std::optional<Eigen::Isometry3d>& current);
+  void begin(const tracking::SourceInfo& source, const std::optional<Eigen::Isometry3d>& current,
+             const vision::MarkerOptions& marker = {});
   void showSnapshot(const tracking::Snapshot& snapshot);
   void showFrames(const cv::Mat& left, const cv::Mat& right, const tracking::Snapshot& snapshot);
 
@@ -46,10 +52,12 @@ class RegistrationPanel : public QWidget {
   /// True while the guide or the collection of poses takes snapshots.
   bool active() const;
   const registration::RegistrationGuide* guide() const { return guide_.get(); }
+  CameraStrip& cameras() { return *cameras_; }
   StopPage& stopPage() { return *stop_; }
   CollectPage& collectPage() { return *collect_; }
   ResultPage& resultPage() { return *result_; }
   PosesPage& posesPage() { return *poses_; }
+  HistoryPage& historyPage() { return *history_; }
   QSize sizeHint() const override { return {680, 620}; }
 
  signals:
@@ -57,6 +65,10 @@ class RegistrationPanel : public QWidget {
   /// The user accepted the registration; the owner passes it to the pipeline and stores it with the session.
   void accepted(const Eigen::Isometry3d& base_from_camera, const QString& summary);
   void rejected(const QString& reason);
+  /// The user asked for a correction of the images or the cameras.
+  void remedyRequested(const capstan::registration::CameraRemedy& remedy);
+  /// The user accepted or rejected; follows accepted() and rejected(). Date, robot and session are empty.
+  void decided(const capstan::registration::HistoryEntry& entry);
   /// The user cancelled, or closed the panel after the decision: the panel may be hidden.
   void finished();
 
@@ -70,8 +82,10 @@ class RegistrationPanel : public QWidget {
   std::unique_ptr<registration::RegistrationGuide> guide_;
   registration::RegistrationStep shown_ = registration::RegistrationStep::kIdle;
   int points_shown_ = -1;
+  CameraStrip* cameras_;
   QTabWidget* tabs_;
   PosesPage* poses_;
+  HistoryPage* history_;
   StepBar* steps_;
   QStackedWidget* pages_;
   StopPage* stop_;

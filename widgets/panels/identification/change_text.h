@@ -1,0 +1,18 @@
+#pragma once
+
+#include <QString>
+#include <vector>
+
+#include "core/identification/model_error.h"
+#include "core/identification/parameters.h"
+#include "core/robot/description.h"
+
+namespace capstan::widgets {
+
+/// Changes as "r_l1  drives[0].link_radius\n  0.063095 → 0.059021  −6.46 %".
+QString changesText(const std::vector<identification::RobotChange>& changes);
+/// Table of the model's errors, camera minus model, before and after: a line per joint, in degrees or
+/// millimetres.
+QString errorsText(const identification::ModelError& error, const robot::Description& robot);
+
+}  // namespace capstan::widgets
