@@ -198,12 +198,7 @@ void CameraSide::pass(FramePair pair, Clock::time_point arrival) {
   const double t = *seen - setup_.latency;
   gaps_.add(t);
   status_.missing = gaps_.missing();
-<<<<<<< HEAD
-  if (!queue_.offer(tracking::StereoFrame{t, *now, std::move(pair.left), std::move(pair.right)}))
-=======
-  if (!queue_.offer(
-          tracking::StereoFrame{pair.t, arrival, std::move(pair.left), std::move(pair.right), pair.skew}))
->>>>>>> d2d512c7ccfdc405a643a057697d888d6c2cd6d1
+  if (!queue_.offer(tracking::StereoFrame{t, *now, std::move(pair.left), std::move(pair.right), pair.skew}))
     ++status_.dropped;
 }
 

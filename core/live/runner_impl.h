@@ -15,8 +15,8 @@
 #include "core/live/publisher.h"
 #include "core/live/rate_meter.h"
 #include "core/live/recording_slot.h"
+#include "core/live/run_fault.h"
 #include "core/live/runner.h"
-#include "core/recording/recover.h"
 #include "core/tracking/arrival.h"
 #include "core/tracking/gate_watch.h"
 #include "core/tracking/make_pipeline.h"
@@ -193,8 +193,7 @@ class Runner::Impl {
   using Clock = std::chrono::steady_clock;
   static constexpr double kStepWithoutCameras = 1.0 / 15.0;  // [s]
   static constexpr auto kReportPeriod = std::chrono::milliseconds(100);
-  static constexpr auto kPatience =
-      std::chrono::milliseconds(20);  // of a command while a real-time source is silent
+  static constexpr auto kPatience = std::chrono::milliseconds(20);  // of commands while a source is silent
 
   enum class Mode { kPause, kRun, kStep, kDone };
 
@@ -227,10 +226,8 @@ class Runner::Impl {
       }
       try {
         advance();
-      } catch (const base::InputError& error) {
-        finish(RunState::kFailed, error.what(), recording::isRecoverable(error) ? error.fault().file : "");
       } catch (const std::exception& error) {
-        finish(RunState::kFailed, error.what());
+        finish(RunState::kFailed, &error);
       }
     }
   }
@@ -277,7 +274,7 @@ class Runner::Impl {
   void advance() {
     applyBlocking();
     if (!fetched_ && !source_->ready(kPatience)) return publishStatus(false);
-    if (!fetched_ && !source_->next(sample_)) return finish(RunState::kEnded, {});
+    if (!fetched_ && !source_->next(sample_)) return finish(RunState::kEnded);
     if (!fetched_) blocking_.correct(sample_);
     fetched_ = true;
     if (mode_ == Mode::kRun && speed_ > 0.0 && !info_.real_time) {
@@ -325,13 +322,12 @@ class Runner::Impl {
     if (blocking_.apply(motor_t_, *source_)) recording_.noteOcclusion(t_, blocking_.text(), !info_.live);
   }
 
-  void finish(RunState state, std::string error, std::string damaged = {}) {
+  void finish(RunState state, const std::exception* error = nullptr) {
     mode_ = Mode::kDone;
     {
       const std::lock_guard lock(mutex_);
       done_ = state;
-      if (!error.empty()) status_.error = std::move(error);
-      status_.damaged = std::move(damaged);
+      if (error) noteFault(*error, status_);
     }
     publishStatus(true);
   }

@@ -31,7 +31,8 @@ std::optional<FramePair> FramePairer::add(int side, double t, const cv::Mat& ima
   while (!held_[0].empty() && !held_[1].empty()) {
     Held &left = held_[0].front(), &right = held_[1].front();
     if (std::abs(left.t - right.t) <= tolerance_) {
-      FramePair pair{0.5 * (left.t + right.t), left.image, right.image, left.frozen || right.frozen};
+      FramePair pair{0.5 * (left.t + right.t), left.image, right.image, left.frozen || right.frozen,
+                     right.t - left.t};
       held_[0].pop_front(), held_[1].pop_front();
       return pair;
     }
@@ -39,14 +40,7 @@ std::optional<FramePair> FramePairer::add(int side, double t, const cv::Mat& ima
     const std::size_t older = left.t < right.t ? 0 : 1;
     exclude(older, &held_[1 - older].front());
   }
-<<<<<<< HEAD
   return {};
-=======
-  FramePair pair{0.5 * (held_[0]->t + held_[1]->t), held_[0]->image, held_[1]->image,
-                 held_[1]->t - held_[0]->t};
-  held_[0].reset(), held_[1].reset();
-  return pair;
->>>>>>> d2d512c7ccfdc405a643a057697d888d6c2cd6d1
 }
 
 }  // namespace capstan::live

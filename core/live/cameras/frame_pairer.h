@@ -12,11 +12,8 @@ namespace capstan::live {
 struct FramePair {
   double t = 0.0;  ///< mean of the times of the two images [s]
   cv::Mat left, right;
-<<<<<<< HEAD
   bool frozen = false;  ///< an image of it equals the one before
-=======
-  double skew = 0.0;  ///< time of the right image minus that of the left [s]
->>>>>>> d2d512c7ccfdc405a643a057697d888d6c2cd6d1
+  double skew = 0.0;    ///< time of the right image minus that of the left [s]
 };
 
 /// Pairs the images of two cameras that are not synchronised, by their times. The two sides need not come in
