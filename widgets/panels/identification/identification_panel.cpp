@@ -114,7 +114,8 @@ void IdentificationPanel::addPages(QVBoxLayout* column) {
     ground->setAutoFillBackground(false);  // the panel's own shows
   for (QWidget* page : {static_cast<QWidget*>(rolled), results_, static_cast<QWidget*>(changes_)})
     pages_->addWidget(page);
-  pages_->setMinimumHeight(kLeastPage);  // whatever the page asks for: Start stays in sight in a low window
+  pages_->setMinimumHeight(kLeastPage);  // whatever the pages ask for: Start stays in sight in a low window
+  pages_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored);
   column->addWidget(pages_, 1);
 }
 
