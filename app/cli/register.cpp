@@ -93,7 +93,7 @@ ExitCode run(const RegisterArguments& arguments) {
     const auto difference =
         registration::differenceOf(*before, pose, robot::readDescriptionOrDefault(arguments.robot));
     text += "difference     " + registration::wordsOf(difference) + "\n";
-    document["difference"] = documentOf(difference);
+    document["difference"] = cli::documentOf(difference);
   }
   const Output output(arguments.json);
   output.text(text);

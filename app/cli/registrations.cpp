@@ -32,14 +32,14 @@ ExitCode run(const RegistrationsArguments& arguments) {
     entries = registration::readHistory(arguments.history);
   }
   const Output output(arguments.json);
-  nlohmann::json document = {{"registrations", documentOf(entries)}};
+  nlohmann::json document = {{"registrations", cli::documentOf(entries)}};
   if (arguments.compare.empty() && arguments.out.empty()) output.text(tableOf(entries));
   if (!arguments.compare.empty()) {
     const auto difference = registration::differenceOf(registrationOf(arguments.compare[0], entries),
                                                        registrationOf(arguments.compare[1], entries),
                                                        robot::readDescriptionOrDefault(arguments.robot));
     output.text(wordsOf(difference) + "\n");
-    document["difference"] = documentOf(difference);
+    document["difference"] = cli::documentOf(difference);
   }
   if (!arguments.out.empty())
     vision::writeRegistration(registrationOf(arguments.chosen, entries), arguments.out);

@@ -119,7 +119,7 @@ TEST_F(Identification, FromStartToASavedRobot) {
 }
 
 TEST_F(Identification, AllTwelveParametersHaveOneNameEach) {
-  begin(1.0);
+  begin(20.0);
   QStringList names;
   for (const auto* box : panel_.choice().findChildren<QCheckBox*>()) names << box->text();
   EXPECT_EQ(names.size(), 12);

@@ -30,6 +30,8 @@ class FilterPanel : public QWidget {
   QString words() const;
   /// Reads a file of filter options. The panel shows errors.
   void load(const QString& file);
+  QSize sizeHint() const override { return {420, 330}; }
+  QSize minimumSizeHint() const override { return {360, 260}; }
 
  signals:
   /// The user changed the setting `name`.

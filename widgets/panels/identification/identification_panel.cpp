@@ -27,6 +27,7 @@ namespace {
 constexpr int kPoll = 200;          ///< [ms]
 constexpr int kRoomForTrace = 330;  ///< height of the panel below which the table needs it all [px]
 constexpr int kAdviceLines = 2;
+constexpr int kLeastPage = 88;  ///< height of four rows of check boxes [px]
 
 QString text(const std::string& words) { return QString::fromStdString(words); }
 
@@ -39,6 +40,7 @@ IdentificationPanel::IdentificationPanel(QWidget* parent) : QWidget(parent) {
   words_ = new QLabel;
   words_->setWordWrap(true);
   words_->setAccessibleName(tr("state of the identification"));
+  words_->setMinimumHeight(kAdviceLines * words_->fontMetrics().lineSpacing());
   column->addWidget(words_);
   addPages(column);
   advice_ = new QLabel;
@@ -47,8 +49,11 @@ IdentificationPanel::IdentificationPanel(QWidget* parent) : QWidget(parent) {
   advice_->setFont(textFont(9.5));
   advice_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   advice_->setMinimumHeight(kAdviceLines * QFontMetrics(advice_->font()).lineSpacing());
-  column->addWidget(advice_);
-  column->addWidget(offer_ = new MotionOffer);
+  auto* row = new QHBoxLayout;  // the proposed motion takes the place of the advice
+  row->setSpacing(6);
+  row->addWidget(advice_, 1);
+  row->addWidget(offer_ = new MotionOffer, 1);
+  column->addLayout(row);
   progress_ = new QProgressBar;
   progress_->setMaximumHeight(14);
   progress_->setTextVisible(false);
@@ -109,6 +114,8 @@ void IdentificationPanel::addPages(QVBoxLayout* column) {
     ground->setAutoFillBackground(false);  // the panel's own shows
   for (QWidget* page : {static_cast<QWidget*>(rolled), results_, static_cast<QWidget*>(changes_)})
     pages_->addWidget(page);
+  pages_->setMinimumHeight(kLeastPage);  // whatever the pages ask for: Start stays in sight in a low window
+  pages_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored);
   column->addWidget(pages_, 1);
 }
 
@@ -287,10 +294,7 @@ void IdentificationPanel::overtake() {
     Q_EMIT listenerRequested(sink_);
   }
   const bool under_way = live_.phase() == LivePhase::kCollecting || live_.phase() == LivePhase::kStopped;
-  if (under_way)
-    polls_.start();
-  else
-    polls_.stop();
+  under_way ? polls_.start() : polls_.stop();
   poll();
 }
 
@@ -312,7 +316,7 @@ QString IdentificationPanel::stateWords() const {
   if (live_.phase() != LivePhase::kIdle) return text(live_.words());
   if (!open_) return tr("No session: open one first.");
   if (ended_) return tr("The session has ended: begin it again (Space), then Start.");
-  return tr("Finds wrong parameters of the robot file from the motion of the arm.");
+  return tr("Finds wrong constants of the robot from its motion.");
 }
 
 void IdentificationPanel::refresh() {
@@ -330,7 +334,7 @@ void IdentificationPanel::refresh() {
     rows_ = std::move(rows);
     table_->showRows(rows_);
   }
-  advice_->setVisible(results);
+  advice_->setVisible(results && offer_->words().isEmpty());
   offer_->setWeak(live_.motionRequest().has_value() && !live_.refining());
   progress_->setVisible(live_.refining());
   showChosen();
@@ -346,7 +350,10 @@ void IdentificationPanel::propose() {
         return identification::proposeMotion(request.recording->data(), request.set, estimates,
                                              request.camera, progress);
       },
-      [this](std::optional<identification::MotionProposal> found) { offer_->setProposal(std::move(found)); });
+      [this](std::optional<identification::MotionProposal> found) {
+        offer_->setProposal(std::move(found));
+        refresh();
+      });
 }
 
 void IdentificationPanel::showChosen() {

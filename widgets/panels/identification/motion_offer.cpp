@@ -64,8 +64,10 @@ void MotionOffer::press() {
 
 void MotionOffer::refresh() {
   words_->setText(proposal_ ? QString::fromStdString(proposal_->words) : QString());
+  words_->setVisible(proposal_.has_value());
   words_->setToolTip(words_->text());
-  button_->setText(proposal_ ? tr("Drive it") : searching_ ? tr("Computing…") : tr("Propose a motion"));
+  setSizePolicy(proposal_ ? QSizePolicy::Preferred : QSizePolicy::Maximum, QSizePolicy::Preferred);
+  button_->setText(proposal_ ? tr("Drive it") : searching_ ? tr("Computing…") : tr("Better motion"));
   button_->setEnabled(proposal_ ? drivable_ : !searching_);
   button_->setToolTip(
       !proposal_  ? tr("Find a motion that determines the weak parameters (Shift+M)")

@@ -9,8 +9,8 @@ namespace capstan::widgets {
 namespace {
 
 constexpr int kJoints = 3;
-constexpr std::array<const char*, identification::kQuantities> kWords = {"pulley radius", "stiffness",
-                                                                         "damping", "friction"};
+constexpr std::array<const char*, identification::kQuantities> kWords = {"radius", "stiffness", "damping",
+                                                                         "friction"};
 
 std::string nameOf(int quantity, int joint) {
   return std::string(base::nameOf(static_cast<identification::Quantity>(quantity))) +
@@ -23,29 +23,29 @@ ParameterChoice::ParameterChoice(QWidget* parent) : QWidget(parent) {
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(0, 0, 0, 0);
   grid->setVerticalSpacing(2);
-  grid->setHorizontalSpacing(4);
+  grid->setHorizontalSpacing(3);
   const auto head = [&](const QString& text, int row, int column) {
     auto* label = new QLabel(text);
+    label->setFont(textFont(9.0));
     heads_.push_back(label);
     grid->addWidget(label, row, column, Qt::AlignLeft);
   };
-  head(tr("joint"), 0, 0);
-  for (int joint = 0; joint < kJoints; ++joint) head(QString::number(joint + 1), 0, joint + 1);
   for (int quantity = 0; quantity < identification::kQuantities; ++quantity) {
     const QString words = kWords[static_cast<std::size_t>(quantity)];
-    head(words, quantity + 1, 0);
+    head(words, quantity, 0);
     for (int joint = 0; joint < kJoints; ++joint) {
       auto* box = new QCheckBox(QString::fromStdString(nameOf(quantity, joint)));
       box->setObjectName(box->text());
-      box->setAccessibleName(tr("%1 of joint %2").arg(words).arg(joint + 1));
+      box->setAccessibleName(
+          tr("%1 of joint %2").arg(quantity == 0 ? tr("pulley radius") : words).arg(joint + 1));
       box->setToolTip(box->accessibleName());
       boxes_.push_back(box);
-      grid->addWidget(box, quantity + 1, joint + 1, Qt::AlignLeft);
+      grid->addWidget(box, quantity, joint + 1, Qt::AlignLeft);
       connect(box, &QCheckBox::toggled, this, &ParameterChoice::changed);
     }
   }
   grid->setColumnStretch(0, 1);
-  grid->setRowStretch(identification::kQuantities + 1, 1);
+  grid->setRowStretch(identification::kQuantities, 1);
   setNames(identification::kDefaultParameters);
 }
 

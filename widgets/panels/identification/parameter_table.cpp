@@ -10,7 +10,7 @@ namespace {
 
 enum Column { kName, kValue, kSigma, kChange, kColumns };
 constexpr double kPoints = 10.0;
-constexpr int kRowHeight = 26, kBar = 3;  // [px]
+constexpr int kRowHeight = 21, kBar = 3;  // [px]
 
 /// Item delegate that reserves room for the bar.
 class Rows : public QStyledItemDelegate {

@@ -16,7 +16,7 @@ using registration::CheckState;
 namespace {
 
 constexpr int kSeePeriod = 100, kRefreshPeriod = 250;  ///< [ms]
-constexpr int kColumns = 3;
+constexpr int kColumns = 2;
 
 QString shown(const std::string& text) { return QString::fromStdString(text); }
 
