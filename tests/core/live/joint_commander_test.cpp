@@ -259,7 +259,8 @@ TEST_F(CommandedRobot, GetsNothingBeforeItIsArmedAndNothingAfterTheKeyIsReleased
 TEST_F(CommandedRobot, ComesToRestAtTheHardStop) {
   ASSERT_NO_FATAL_FAILURE(arm());
   ASSERT_NO_FATAL_FAILURE(drive(60s));
-  EXPECT_EQ(commander_->status().reason, "the arm is at the hard stop");
+  ASSERT_EQ(commander_->status().reason, "the arm is at the hard stop");
+  ASSERT_FALSE(commands().empty());
   const Eigen::Vector3d stop = robot::homingOf(robot::defaultDescription());
   const auto last = commands().back().positions;
   for (std::size_t k = 0; k < 3; ++k)
