@@ -13,6 +13,7 @@ namespace {
 
 constexpr int kRoomForAll = 950;  ///< height below which identification and notes are tabs of one place [px]
 constexpr int kBars = 160;        ///< menus, toolbar, status line, tabs and gaps, about [px]
+constexpr int kStrip = 120;       ///< height around a floating dock that is not worth leaving [px]
 constexpr int kRoomForTwo = 680;  ///< height below which all panels of a side are tabs of one place [px]
 
 /// Moves a dock over the central widget when it is first shown.
@@ -28,7 +29,8 @@ class FirstPlace : public QObject {
     placed_ = true;
     const QWidget& centre = *window_.centralWidget();
     const QRect area(centre.mapToGlobal(QPoint(0, 0)), centre.size());
-    const QSize size = dock_.sizeHint().boundedTo(area.size()).expandedTo(dock_.minimumSizeHint());
+    QSize size = dock_.sizeHint().boundedTo(area.size()).expandedTo(dock_.minimumSizeHint());
+    if (area.height() - size.height() < kStrip) size.setHeight(std::max(size.height(), area.height()));
     dock_.setGeometry(QRect(area.center() - QPoint(size.width() / 2, size.height() / 2), size));
     return false;
   }
