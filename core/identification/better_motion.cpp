@@ -9,13 +9,12 @@
 #include <numbers>
 
 #include "core/base/units.h"
-#include "core/identification/output_error.h"
+#include "core/identification/batch.h"
 #include "core/robot/transmission.h"
 
 namespace capstan::identification {
 namespace {
 
-using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
@@ -31,21 +30,8 @@ struct Pace {
 };
 const std::array kPaces = {Pace{0.9, Vector3d(0.11, 0.17, 0.23)}, Pace{0.4, Vector3d(0.31, 0.43, 0.53)},
                            Pace{0.2, Vector3d(0.83, 1.07, 1.31)}};
-/// Middle, reaching out, raised: place in each joint's free range, 0…1.
-const std::array kPlaces = {Vector3d(0.5, 0.5, 0.5), Vector3d(0.5, 0.5, 0.8), Vector3d(0.35, 0.7, 0.65)};
-
-/// Normal matrix JᵀJ over the unknowns with unit prior, at `logs`.
-std::optional<MatrixXd> informationOf(const IdentificationData& data, const ParameterSet& set,
-                                      const VectorXd& logs, const CameraPoseOptions& camera,
-                                      const base::Progress& progress) {
-  OutputError problem(data, set, camera, {.segment = 20.0, .threads = 1});
-  VectorXd x = VectorXd::Zero(problem.unknowns()), residuals;
-  for (int i = 0; i < set.size(); ++i) x(i) = logs(i) / set[i].prior_sigma;
-  MatrixXd jacobian;
-  if (problem.observations() == 0) return MatrixXd::Zero(problem.unknowns(), problem.unknowns());
-  if (!problem.evaluate(x, residuals, &jacobian, &progress)) return std::nullopt;
-  return MatrixXd(jacobian.transpose() * jacobian);
-}
+/// Middle, and reaching out and raised: place in each joint's free range, 0…1.
+const std::array kPlaces = {Vector3d(0.5, 0.5, 0.5), Vector3d(0.35, 0.7, 0.7)};
 
 /// What the cameras and motors of `like` would record of the motion.
 IdentificationData recordingOf(const SinusoidMotion& motion, const IdentificationData& like,
@@ -91,12 +77,37 @@ std::optional<Eigen::Matrix3d> meanNoise(const IdentificationData& data) {
   return Eigen::Matrix3d(sum / count);
 }
 
-/// σ of the logarithms for information that adds to the unit prior.
-std::vector<double> sigmasOf(const MatrixXd& information, const ParameterSet& set) {
-  const auto unknowns = information.rows();
-  const MatrixXd covariance = (information + MatrixXd::Identity(unknowns, unknowns)).inverse();
+/// σ of the logarithms that the batch method would state for `data`, whose observations are set to the output
+/// of the model at `logs`; empty when cancelled.
+std::vector<double> sigmasBy(IdentificationData data, const ParameterSet& set,
+                             const std::vector<double>& logs, const CameraPoseOptions& camera,
+                             base::Progress& progress) {
+  const ShootingOptions pieces{.segment = 20.0, .threads = 1};
+  const robot::ArmKinematics arm(data.robot);
+  const Shooting shooting(data, set, pieces);
+  std::vector<ArmPrediction> predictions;
+  const ParameterSet::Logs at = Eigen::Map<const VectorXd>(logs.data(), set.size());
+  if (!shooting.predict(at, false, predictions, &progress)) return {};
+  for (std::size_t k = 0; k < predictions.size(); ++k) {
+    CameraObservation& seen = data.cameras[shooting.used()[k]];
+    seen.q_cam = predictions[k].q;
+    seen.tip = arm.tip(seen.q_cam);
+  }
+  const BatchReport found =
+      identifyBatch(data, set, {.camera = camera, .shooting = pieces, .start = logs}, &progress);
   std::vector<double> sigmas;
-  for (int i = 0; i < set.size(); ++i) sigmas.push_back(set[i].prior_sigma * std::sqrt(covariance(i, i)));
+  for (const Estimate& estimate : found.estimates) sigmas.push_back(estimate.sigma);
+  return sigmas;
+}
+
+/// σ of every parameter when the information of both recordings adds; the prior counts once.
+std::vector<double> combined(const std::vector<Estimate>& now, const std::vector<double>& by_motion) {
+  std::vector<double> sigmas;
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    const double prior = now[i].parameter.prior_sigma;
+    const double added = std::pow(by_motion[i], -2) - std::pow(prior, -2);
+    sigmas.push_back(1.0 / std::sqrt(std::pow(now[i].sigma, -2) + std::max(0.0, added)));
+  }
   return sigmas;
 }
 
@@ -173,22 +184,19 @@ std::optional<MotionProposal> proposeMotion(const IdentificationData& recorded, 
   best.weak = weakOf(estimates);
   const auto noise = meanNoise(recorded);
   if (best.weak.empty() || !noise) return std::nullopt;
-  VectorXd logs = VectorXd::Zero(set.size());
-  for (int i = 0; i < set.size(); ++i) {
-    const Estimate& estimate = estimates[static_cast<std::size_t>(i)];
-    if (estimate.seen) logs(i) = estimate.log;
+  std::vector<double> logs;
+  for (const Estimate& estimate : estimates) {
+    logs.push_back(estimate.seen ? estimate.log : 0.0);
+    best.now.push_back(estimate.sigma);
   }
-  const auto known = informationOf(recorded, set, logs, camera, progress);
-  if (!known) return std::nullopt;
-  best.now = sigmasOf(*known, set);
   double least = std::numeric_limits<double>::infinity();
   const auto candidates = candidateMotions(recorded.robot);
   for (std::size_t k = 0; k < candidates.size(); ++k) {
-    progress.report(static_cast<double>(k) / static_cast<double>(candidates.size()), "motions");
-    const IdentificationData data = recordingOf(candidates[k], recorded, *noise);
-    const auto added = informationOf(data, set, logs, camera, progress);
-    if (!added || progress.cancelled()) return std::nullopt;
-    const auto then = sigmasOf(*known + *added, set);
+    const auto by_motion =
+        sigmasBy(recordingOf(candidates[k], recorded, *noise), set, logs, camera, progress);
+    if (by_motion.empty() || progress.cancelled()) return std::nullopt;
+    progress.report(static_cast<double>(k + 1) / static_cast<double>(candidates.size()), "motions");
+    const auto then = combined(estimates, by_motion);
     const double cost = costOf(then, best.weak, set);
     if (cost >= least) continue;
     least = cost;

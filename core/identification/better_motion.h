@@ -26,8 +26,8 @@ struct SinusoidMotion {
 };
 
 /// Motions within the joint limits and 80 % of the highest speeds: slow and wide (pulley radii), medium, and
-/// fast with many reversals (damping, friction), each about the middle of the workspace, reaching out, and
-/// raised (loads of gravity on the cables, stiffness).
+/// fast with many reversals (damping, friction), each about the middle of the workspace and reaching out and
+/// raised (loads of gravity on the cables: stiffness).
 std::vector<SinusoidMotion> candidateMotions(const robot::Description& robot);
 
 struct MotionProposal {
@@ -41,9 +41,10 @@ struct MotionProposal {
 std::vector<int> weakOf(const std::vector<Estimate>& estimates);
 
 /// The candidate that reduces the σ of the weak parameters most, as a product of their ratios to the goals.
-/// The information of a motion is that of the linear model at the estimates (OutputError), with the
-/// recording's mean camera noise and 15 frames per second; it adds to that of the recording. Nothing where no
-/// parameter is weak, where there are no observations, or when cancelled.
+/// The information of a motion is that of the σ which the batch method states for it, model discrepancy
+/// included (identifyBatch()), at the estimates, with the recording's mean camera noise and 15 frames per
+/// second; it adds to that of the estimates' σ. Nothing where no parameter is weak, where there are no
+/// observations, or when cancelled.
 std::optional<MotionProposal> proposeMotion(const IdentificationData& recorded, const ParameterSet& set,
                                             const std::vector<Estimate>& estimates,
                                             const CameraPoseOptions& camera, base::Progress& progress);

@@ -11,6 +11,7 @@
 #include "core/base/names.h"
 #include "core/registration/pair_registration.h"
 #include "core/registration/registration_guide.h"
+#include "core/vision/registration_file.h"
 
 /// History of the registrations that were accepted or rejected: a file (YAML) that the window and the command
 /// line keep.
@@ -61,7 +62,8 @@ struct HistoryEntry {
     field(self.used, {"used", "", "points used", {0.0, 1e9}, false});
     field(self.excluded, {"excluded", "", "points excluded", {0.0, 1e9}, false});
     field(self.translation, {"translation", "m", "translation of base_from_camera", {-100.0, 100.0}, false});
-    field(self.rotation, {"rotation", "", "rotation of base_from_camera, by rows", {-1.0, 1.0}, false});
+    field(self.rotation,
+          {"rotation", "", "rotation of base_from_camera, by rows", vision::kRotationRange, false});
   }
 };
 

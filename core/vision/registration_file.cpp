@@ -13,7 +13,7 @@ struct RegistrationFile {
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& field) {
     field(self.translation, {"translation", "m", "translation of base_from_camera", {-100.0, 100.0}});
-    field(self.rotation, {"rotation", "", "rotation of base_from_camera, by rows", {-1.0, 1.0}});
+    field(self.rotation, {"rotation", "", "rotation of base_from_camera, by rows", kRotationRange});
   }
 };
 

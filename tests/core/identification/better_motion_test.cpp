@@ -56,9 +56,8 @@ TEST(BetterMotion, OfAnArmAtRestMakesEveryWeakParameterKnownAsPredicted) {
   ASSERT_TRUE(proposal);
   EXPECT_EQ(proposal->weak.size(), static_cast<std::size_t>(set.size()));
   EXPECT_THAT(proposal->words, HasSubstr("predicted σ: r_l1"));
-  for (int i = 0; i < set.size(); ++i)
-    EXPECT_LT(proposal->then[static_cast<std::size_t>(i)], 0.6 * proposal->now[static_cast<std::size_t>(i)])
-        << set[i].name();
+  for (std::size_t i = 0; i < proposal->now.size(); ++i) EXPECT_LT(proposal->then[i], proposal->now[i]);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_LT(proposal->then[i], 0.5 * proposal->now[i]) << "a radius";
 
   // The same motion driven by an arm with other constants: the batch method's σ is what was predicted.
   auto truth = robot;
@@ -69,9 +68,8 @@ TEST(BetterMotion, OfAnArmAtRestMakesEveryWeakParameterKnownAsPredicted) {
   ASSERT_EQ(found.end, BatchEnd::kConverged);
   for (int i = 0; i < set.size(); ++i) {
     const auto at = static_cast<std::size_t>(i);
-    EXPECT_TRUE(found.estimates[at].seen) << set[i].name();
-    EXPECT_LT(found.estimates[at].sigma, 3.0 * proposal->then[at]) << set[i].name();
-    EXPECT_GT(found.estimates[at].sigma, proposal->then[at] / 3.0) << set[i].name();
+    EXPECT_LT(found.estimates[at].sigma, 2.0 * proposal->then[at]) << set[i].name();
+    EXPECT_GT(found.estimates[at].sigma, proposal->then[at] / 2.0) << set[i].name();
   }
 }
 
@@ -112,7 +110,7 @@ TEST(ModelError, FallsToTheNoiseOfTheCameras) {
   EXPECT_NEAR(error->after(0), std::sqrt(noise), 0.1 * std::sqrt(noise));
   // Joint 1 is at 0.6 ± 0.5 rad from homing 0 by the nominal radius; 1 / 0.95 of that in truth.
   EXPECT_NEAR(error->before(0), (1.0 / 0.95 - 1.0) * std::sqrt(0.6 * 0.6 + 0.125), 0.2 * error->before(0));
-  EXPECT_NEAR(error->before(1), error->after(1), 1e-4);
+  EXPECT_LT(error->after(1), error->before(1)) << "joint 2 is coupled to joint 1";
 }
 
 TEST(RobotChange, HasTheNameOfItsParameter) {

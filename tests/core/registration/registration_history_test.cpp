@@ -68,6 +68,20 @@ TEST_F(History, KeepsEveryDecisionToTheLastBit) {
   EXPECT_FALSE(entries[1].rms);
 }
 
+/// A computed rotation exceeds 1 by rounding: it is written, so it must be read.
+TEST_F(History, ARotationThatExceedsOneByRoundingIsRead) {
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  pose.linear()(1, 1) = 1.0000000000000004;
+  addToHistory(file_, entryAt("2026-11-28T10:00:00", pose));
+  EXPECT_EQ(readHistory(file_)[0].pose()->matrix(), pose.matrix());
+  const auto single = folder_.path() / "registration.yaml";
+  vision::writeRegistration(pose, single);
+  EXPECT_EQ(vision::readRegistration(single).matrix(), pose.matrix());
+  pose.linear()(1, 1) = 1.01;
+  vision::writeRegistration(pose, single);
+  EXPECT_THAT(test::errorOf([&] { vision::readRegistration(single); }), HasSubstr("rotation"));
+}
+
 TEST_F(History, AFileThatCannotBeReadIsLeftAsItIs) {
   std::filesystem::create_directories(file_.parent_path());
   const std::string broken = "registrations:\n  - date: 2026-11-28T10:00:00\n    decision: perhaps\n";

@@ -10,6 +10,7 @@
 #include <QScrollArea>
 #include <QShortcut>
 #include <QStackedWidget>
+#include <utility>
 
 #include "core/base/error.h"
 #include "widgets/panels/identification/change_text.h"
@@ -27,7 +28,7 @@ namespace {
 constexpr int kPoll = 200;          ///< [ms]
 constexpr int kRoomForTrace = 330;  ///< height of the panel below which the table needs it all [px]
 constexpr int kAdviceLines = 2;
-constexpr int kLeastPage = 88;  ///< height of four rows of check boxes [px]
+constexpr int kLeastPage = 88, kLeastTable = 56;  ///< heights that leave the buttons in sight [px]
 
 QString text(const std::string& words) { return QString::fromStdString(words); }
 
@@ -114,7 +115,6 @@ void IdentificationPanel::addPages(QVBoxLayout* column) {
     ground->setAutoFillBackground(false);  // the panel's own shows
   for (QWidget* page : {static_cast<QWidget*>(rolled), results_, static_cast<QWidget*>(changes_)})
     pages_->addWidget(page);
-  pages_->setMinimumHeight(kLeastPage);  // whatever the pages ask for: Start stays in sight in a low window
   pages_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored);
   column->addWidget(pages_, 1);
 }
@@ -325,6 +325,7 @@ void IdentificationPanel::refresh() {
   const bool results = phase == LivePhase::kCollecting || phase == LivePhase::kStopped;
   words_->setText(stateWords());
   pages_->setCurrentIndex(results ? 1 : accepted ? 2 : 0);
+  pages_->setMinimumHeight(results ? kLeastTable : kLeastPage);
   if (accepted) {
     QString changed = changesText(live_.changes());
     if (live_.error()) changed = errorsText(*live_.error(), in_use_) + "\n\n" + changed;
@@ -364,8 +365,7 @@ void IdentificationPanel::showChosen() {
                             : QString();
   if (words != advice_->text()) advice_->setText(words);
   const std::pair wanted{any ? live_.shown().serial : 0, any ? row : -1};
-  if (wanted == drawn_) return;
-  drawn_ = wanted;
+  if (std::exchange(drawn_, wanted) == wanted) return;
   if (any)
     trace_->showTrace(live_.trace(), *live_.set(), row);
   else
