@@ -10,11 +10,13 @@
 
 #include "core/base/units.h"
 #include "core/identification/batch.h"
+#include "core/identification/output_error.h"
 #include "core/robot/transmission.h"
 
 namespace capstan::identification {
 namespace {
 
+using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
@@ -22,6 +24,7 @@ constexpr double kShareOfSpeed = 0.8;  // of a joint's highest speed, reached at
 constexpr double kMargin = 0.05;       // of a joint's range that stays free at each limit
 constexpr double kFrameRate = 15.0;    // [1/s]
 constexpr double kMotorRate = 500.0;   // [1/s]; motor angles are linear between samples
+const ShootingOptions kPieces{.segment = 20.0, .threads = 1};
 
 /// Amplitudes as shares of the free range, frequencies that no two joints have in common.
 struct Pace {
@@ -77,14 +80,31 @@ std::optional<Eigen::Matrix3d> meanNoise(const IdentificationData& data) {
   return Eigen::Matrix3d(sum / count);
 }
 
+/// σ of the logarithms by the linear model at `logs`, without model discrepancy: in a moment, to order
+/// motions by. Empty when cancelled.
+std::vector<double> linearSigmas(const IdentificationData& data, const ParameterSet& set,
+                                 const std::vector<double>& logs, const CameraPoseOptions& camera,
+                                 const base::Progress& progress) {
+  OutputError problem(data, set, camera, kPieces);
+  VectorXd x = VectorXd::Zero(problem.unknowns()), residuals;
+  for (int i = 0; i < set.size(); ++i) x(i) = logs[static_cast<std::size_t>(i)] / set[i].prior_sigma;
+  MatrixXd jacobian;
+  if (!problem.evaluate(x, residuals, &jacobian, &progress)) return {};
+  const auto unknowns = jacobian.cols();
+  const MatrixXd covariance =
+      (jacobian.transpose() * jacobian + MatrixXd::Identity(unknowns, unknowns)).inverse();
+  std::vector<double> sigmas;
+  for (int i = 0; i < set.size(); ++i) sigmas.push_back(set[i].prior_sigma * std::sqrt(covariance(i, i)));
+  return sigmas;
+}
+
 /// σ of the logarithms that the batch method would state for `data`, whose observations are set to the output
 /// of the model at `logs`; empty when cancelled.
 std::vector<double> sigmasBy(IdentificationData data, const ParameterSet& set,
                              const std::vector<double>& logs, const CameraPoseOptions& camera,
                              base::Progress& progress) {
-  const ShootingOptions pieces{.segment = 20.0, .threads = 1};
   const robot::ArmKinematics arm(data.robot);
-  const Shooting shooting(data, set, pieces);
+  const Shooting shooting(data, set, kPieces);
   std::vector<ArmPrediction> predictions;
   const ParameterSet::Logs at = Eigen::Map<const VectorXd>(logs.data(), set.size());
   if (!shooting.predict(at, false, predictions, &progress)) return {};
@@ -94,7 +114,7 @@ std::vector<double> sigmasBy(IdentificationData data, const ParameterSet& set,
     seen.tip = arm.tip(seen.q_cam);
   }
   const BatchReport found =
-      identifyBatch(data, set, {.camera = camera, .shooting = pieces, .start = logs}, &progress);
+      identifyBatch(data, set, {.camera = camera, .shooting = kPieces, .start = logs}, &progress);
   std::vector<double> sigmas;
   for (const Estimate& estimate : found.estimates) sigmas.push_back(estimate.sigma);
   return sigmas;
@@ -192,17 +212,18 @@ std::optional<MotionProposal> proposeMotion(const IdentificationData& recorded, 
   double least = std::numeric_limits<double>::infinity();
   const auto candidates = candidateMotions(recorded.robot);
   for (std::size_t k = 0; k < candidates.size(); ++k) {
+    progress.report(static_cast<double>(k) / static_cast<double>(candidates.size() + 1), "motions");
     const auto by_motion =
-        sigmasBy(recordingOf(candidates[k], recorded, *noise), set, logs, camera, progress);
+        linearSigmas(recordingOf(candidates[k], recorded, *noise), set, logs, camera, progress);
     if (by_motion.empty() || progress.cancelled()) return std::nullopt;
-    progress.report(static_cast<double>(k + 1) / static_cast<double>(candidates.size()), "motions");
-    const auto then = combined(estimates, by_motion);
-    const double cost = costOf(then, best.weak, set);
+    const double cost = costOf(combined(estimates, by_motion), best.weak, set);
     if (cost >= least) continue;
     least = cost;
     best.motion = candidates[k];
-    best.then = then;
   }
+  const auto by_best = sigmasBy(recordingOf(best.motion, recorded, *noise), set, logs, camera, progress);
+  if (by_best.empty() || progress.cancelled()) return std::nullopt;
+  best.then = combined(estimates, by_best);
   best.words = wordsOf(best, set);
   return best;
 }

@@ -41,10 +41,10 @@ struct MotionProposal {
 std::vector<int> weakOf(const std::vector<Estimate>& estimates);
 
 /// The candidate that reduces the σ of the weak parameters most, as a product of their ratios to the goals.
-/// The information of a motion is that of the σ which the batch method states for it, model discrepancy
-/// included (identifyBatch()), at the estimates, with the recording's mean camera noise and 15 frames per
-/// second; it adds to that of the estimates' σ. Nothing where no parameter is weak, where there are no
-/// observations, or when cancelled.
+/// The motions are ordered by the σ of the linear model at the estimates, with the recording's mean camera
+/// noise and 15 frames per second. What is stated of the best one is the σ of the batch method, model
+/// discrepancy included (identifyBatch()). Information adds to that of the estimates' σ. Nothing where no
+/// parameter is weak, where there are no observations, or when cancelled.
 std::optional<MotionProposal> proposeMotion(const IdentificationData& recorded, const ParameterSet& set,
                                             const std::vector<Estimate>& estimates,
                                             const CameraPoseOptions& camera, base::Progress& progress);
