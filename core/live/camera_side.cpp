@@ -35,11 +35,12 @@ VideoSettings settingsOf(const CamerasSetup& setup) {
 
 CameraSide::CameraSide(const CamerasSetup& setup,
                        std::function<std::optional<double>(Clock::time_point)> session_time,
-                       SampleQueue& queue)
+                       std::function<std::optional<double>(std::int64_t)> stamp_time, SampleQueue& queue)
     : setup_(setup),
       addresses_(setup.layout == CameraLayout::kTwo ? std::vector{setup.left, setup.right}
                                                     : std::vector{setup.left}),
       session_time_(std::move(session_time)),
+      stamp_time_(std::move(stamp_time)),
       queue_(queue),
       pairer_(setup.pairing) {
   newest_.fill({start_, start_});
@@ -167,6 +168,19 @@ CameraSide::Clock::time_point CameraSide::computerTime(double pairing_time) cons
   return start_ + std::chrono::round<Clock::duration>(std::chrono::duration<double>(since));
 }
 
+/// Time of a pair on the session's clock [s]. Where motors and images have stamps of the same clock, the
+/// stamps tell it, and the arrivals only show whether the clocks agree: by them an image is later by its
+/// delay.
+std::optional<double> CameraSide::exposureOf(const FramePair& pair) const {
+  constexpr double kEarliest = -0.02, kLatest = 0.25;  // delay of the fastest images beyond that of rows [s]
+  const std::optional<double> by_arrival = session_time_(computerTime(pair.t));
+  if (origin_ == 0 || !by_arrival) return by_arrival;
+  const std::optional<double> by_stamp =
+      !stamp_time_ ? std::nullopt : stamp_time_(origin_ + ros1::nanosecondsOf(pair.t));
+  const bool agree = by_stamp && *by_arrival - *by_stamp > kEarliest && *by_arrival - *by_stamp < kLatest;
+  return agree ? by_stamp : by_arrival;
+}
+
 void CameraSide::take(int stream, const cv::Mat& image, const Times& times, std::uint64_t lost) {
   const bool running = session_time_(times.arrival).has_value();
   const std::lock_guard lock(mutex_);
@@ -193,7 +207,7 @@ void CameraSide::take(int stream, const cv::Mat& image, const Times& times, std:
 }
 
 void CameraSide::pass(FramePair pair, Clock::time_point arrival) {
-  const std::optional<double> now = session_time_(arrival), seen = session_time_(computerTime(pair.t));
+  const std::optional<double> now = session_time_(arrival), seen = exposureOf(pair);
   if (!now || !seen) return;
   const double t = *seen - setup_.latency;
   gaps_.add(t);

@@ -29,10 +29,11 @@ class CameraSide {
  public:
   using Clock = std::chrono::steady_clock;
   /// `session_time`: time on the session's clock at a time of this computer; nothing before the session has
-  /// begun, and then images are not passed on. A network stream may come later. Throws base::InputError where
-  /// a device or file cannot be opened.
+  /// begun, and then images are not passed on. `stamp_time`: time on the session's clock of a ROS stamp [ns];
+  /// nothing where the motors have no such stamps. A network stream may come later. Throws base::InputError
+  /// where a device or file cannot be opened.
   CameraSide(const CamerasSetup& setup, std::function<std::optional<double>(Clock::time_point)> session_time,
-             SampleQueue& queue);
+             std::function<std::optional<double>(std::int64_t)> stamp_time, SampleQueue& queue);
   ~CameraSide();
 
   tracking::SideStatus status() const;
@@ -50,6 +51,7 @@ class CameraSide {
   void take(int stream, const cv::Mat& image, const Times& times, std::uint64_t lost);
   double pairingTime(int stream, const Times& times);
   Clock::time_point computerTime(double pairing_time) const;
+  std::optional<double> exposureOf(const FramePair& pair) const;
   void pass(FramePair pair, Clock::time_point arrival);
   void waitToReopen() const;
   void waitForSession() const;
@@ -59,6 +61,7 @@ class CameraSide {
   const CamerasSetup setup_;
   const std::vector<std::string> addresses_;  ///< one (both eyes in one image) or two
   const std::function<std::optional<double>(Clock::time_point)> session_time_;
+  const std::function<std::optional<double>(std::int64_t)> stamp_time_;
   SampleQueue& queue_;
   std::vector<std::unique_ptr<VideoStream>> first_;  ///< opened by the constructor; null: a network stream
   std::atomic<bool> quit_{false};

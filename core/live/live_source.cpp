@@ -45,7 +45,8 @@ LiveSource::LiveSource(const LiveSetup& setup) : setup_(setup.motors), queue_(kC
                                     piped ? RowSide::Faults::kEnd : RowSide::Faults::kDisconnect, queue_);
   if (setup.cameras)
     cameras_ = std::make_unique<CameraSide>(
-        *setup.cameras, [this](CameraSide::Clock::time_point at) { return rows_->sessionTime(at); }, queue_);
+        *setup.cameras, [this](CameraSide::Clock::time_point at) { return rows_->sessionTime(at); },
+        [this](std::int64_t stamp) { return rows_->sessionTimeOfStamp(stamp); }, queue_);
   if (setup.commands) {
     commander_ = std::make_shared<JointCommander>(*setup.commands, info_.robot);
     transmission_.emplace(info_.robot);
@@ -87,7 +88,12 @@ void LiveSource::noteTracked() {
 
 bool LiveSource::ready(std::chrono::milliseconds wait) {
   noteTracked();
-  return queue_.ready(wait);
+  return queue_.ready(wait) || timeIsUp();
+}
+
+bool LiveSource::timeIsUp() const {
+  const std::chrono::duration<double> length(duration_);
+  return duration_ > 0.0 && begin_ && SampleQueue::Clock::now() - begun_at_ > length + kLate;
 }
 
 void LiveSource::discard() {
@@ -96,7 +102,9 @@ void LiveSource::discard() {
 }
 
 bool LiveSource::next(tracking::Sample& out) {
-  noteTracked();
+  constexpr std::chrono::milliseconds kWait{50};
+  while (!ready(kWait)) continue;
+  if (!queue_.ready({}) && timeIsUp()) return false;
   const auto offered = queue_.take(out);
   if (!offered) {
     rows_->rethrow();
@@ -104,7 +112,7 @@ bool LiveSource::next(tracking::Sample& out) {
   }
   taken_ = Taken{*offered, tracking::fromCamera(out)};
   const double t = tracking::arrivalOf(out);
-  if (!begin_) begin_ = t;
+  if (!begin_) begin_ = t, begun_at_ = SampleQueue::Clock::now();
   if (duration_ > 0.0 && t - *begin_ > duration_) return false;
   if (auto* motor = std::get_if<tracking::MotorSample>(&out)) {
     arrange(*motor);

@@ -23,7 +23,8 @@ class LiveSource final : public tracking::Source, public Commandable {
   explicit LiveSource(const LiveSetup& setup);
   ~LiveSource() override;
 
-  /// Ends the source `seconds` after its first sample.
+  /// Ends the source `seconds` after its first sample, by the session's clock; where no samples come, by that
+  /// of this computer, kLate later.
   void endAfter(double seconds) { duration_ = seconds; }
 
   const tracking::SourceInfo& info() const override { return info_; }
@@ -41,6 +42,7 @@ class LiveSource final : public tracking::Source, public Commandable {
   void cover(tracking::StereoFrame& frame) const;
   void arrange(tracking::MotorSample& sample) const;
   void noteTracked();
+  bool timeIsUp() const;
 
   RowsSetup setup_;
   tracking::SourceInfo info_;
@@ -56,8 +58,10 @@ class LiveSource final : public tracking::Source, public Commandable {
   std::shared_ptr<JointCommander> commander_;
   std::optional<robot::Transmission> transmission_;  ///< of the robot that is commanded
   double duration_ = 0.0;
-  std::optional<double> begin_;
+  std::optional<double> begin_;                ///< session time of the first sample [s]
+  SampleQueue::Clock::time_point begun_at_{};  ///< when it came
   bool left_blocked_ = false, right_blocked_ = false;
 };
+inline constexpr std::chrono::seconds kLate{2};
 
 }  // namespace capstan::live

@@ -25,6 +25,9 @@ class RosRows final : public RowInput {
   std::optional<recording::MeasuredTable> take() override;
   void refuse(const std::string&) override { received_.clear(), received_encoders_.clear(); }
   void checkOrder(const recording::MeasuredTable&) override {}
+  std::optional<std::int64_t> rosStampOfZero() const override {
+    return origin_ == 0 ? std::nullopt : std::optional(origin_);
+  }
 
  private:
   struct Row {

@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "core/live/streams/tcp_listener.h"
 #include "core/recording/table_source.h"
+#include "core/ros1/stamp.h"
 
 namespace capstan::live {
 
@@ -45,6 +46,12 @@ std::optional<double> RowSide::sessionTime(Clock::time_point at) const {
   const std::lock_guard lock(mutex_);
   if (status_.received == 0) return {};
   return clock_.toDevice(std::chrono::duration<double>(at - start_).count());
+}
+
+std::optional<double> RowSide::sessionTimeOfStamp(std::int64_t stamp) const {
+  const std::lock_guard lock(mutex_);
+  if (!ros_stamp_of_begin_ || clock_steps_ > 0) return {};
+  return ros1::secondsOf(stamp - *ros_stamp_of_begin_);
 }
 
 void RowSide::work() {
@@ -94,19 +101,46 @@ void RowSide::begin(bool replaced) {
 
 void RowSide::pass(recording::MeasuredTable table) {
   recording::checkForTracking(table, robot_);
-  const double arrival = now();
   input_->confirm();
   if (faults_ == Faults::kEnd) {
     input_->checkOrder(table);
-  } else {
-    std::vector<bool> keep;
-    for (double& t : table.t) {
-      const auto time = times_.of(t, arrival);
-      keep.push_back(time.has_value());
-      if (time) t = *time;
-    }
-    recording::keepRows(table, keep);
+    return deliver(std::move(table), now());
   }
+  std::vector<bool> keep(table.rows(), false);
+  double arrival = now();
+  for (std::size_t k = 0; k < table.rows() && !quit_; ++k) {
+    if (times_.tooEarly(table.t[k], arrival) > 0.0) {
+      deliverKept(table, keep, arrival);
+      arrival = waitUntilDue(table.t[k]);
+    }
+    const auto time = times_.of(table.t[k], arrival);
+    keep[k] = time.has_value();
+    if (time) table.t[k] = *time;
+  }
+  deliverKept(table, keep, arrival);
+}
+
+/// Waits for a row that comes faster than real time, and meanwhile reads no further, so that its sender has
+/// to wait, too. Returns the time at the end.
+double RowSide::waitUntilDue(double stamp) {
+  constexpr double kNap = 0.05;  // [s]; shorter ones would divide the rows into too many parts
+  double arrival = now();
+  for (double early = kNap; early > 0.0 && !quit_; early = times_.tooEarly(stamp, arrival)) {
+    std::this_thread::sleep_for(std::chrono::duration<double>(kNap));
+    arrival = now();
+  }
+  return arrival;
+}
+
+/// Delivers the rows of `keep`, which is then empty.
+void RowSide::deliverKept(const recording::MeasuredTable& table, std::vector<bool>& keep, double arrival) {
+  recording::MeasuredTable kept = table;
+  recording::keepRows(kept, keep);
+  keep.assign(keep.size(), false);
+  deliver(std::move(kept), arrival);
+}
+
+void RowSide::deliver(recording::MeasuredTable table, double arrival) {
   if (table.rows() == 0) {
     const std::lock_guard lock(mutex_);
     status_.repeated = times_.repeated();
@@ -126,6 +160,8 @@ void RowSide::pass(recording::MeasuredTable table) {
   }
   const std::lock_guard lock(mutex_);
   if (std::exchange(clock_steps_, times_.steps()) != times_.steps()) clock_.forget();
+  if (const auto zero = input_->rosStampOfZero())
+    ros_stamp_of_begin_ = *zero - ros1::nanosecondsOf(times_.offset());
   for (const double t : table.t) {
     // Rows from before a step have another offset from this computer's clock.
     if (t >= times_.timeOfLastStep()) clock_.add(t, arrival);

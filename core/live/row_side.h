@@ -44,6 +44,9 @@ class RowSide {
   tracking::SideStatus status() const;
   /// Time on the session's clock at a time of this computer; nothing before the first rows.
   std::optional<double> sessionTime(std::chrono::steady_clock::time_point at) const;
+  /// Time on the session's clock of a stamp of the ROS clock [ns]; nothing where the rows have no such
+  /// stamps, or their clock has stepped.
+  std::optional<double> sessionTimeOfStamp(std::int64_t stamp) const;
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -52,6 +55,9 @@ class RowSide {
   void readOnce();
   void begin(bool replaced);
   void pass(recording::MeasuredTable table);
+  double waitUntilDue(double stamp);
+  void deliverKept(const recording::MeasuredTable& table, std::vector<bool>& keep, double arrival);
+  void deliver(recording::MeasuredTable table, double arrival);
   void refuse(const std::string& reason);
   double now() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
 
@@ -67,10 +73,11 @@ class RowSide {
 
   mutable std::mutex mutex_;  ///< protects the members below
   tracking::SideStatus status_;
-  GapCounter gaps_;                ///< in the session's times
-  ClockMap clock_;                 ///< from the session's clock to this computer's
-  std::uint64_t clock_steps_ = 0;  ///< of times_ that clock_ knows
-  double last_arrival_ = 0.0;      ///< [s] after start_
+  GapCounter gaps_;                                 ///< in the session's times
+  ClockMap clock_;                                  ///< from the session's clock to this computer's
+  std::uint64_t clock_steps_ = 0;                   ///< of times_ that clock_ knows
+  double last_arrival_ = 0.0;                       ///< [s] after start_
+  std::optional<std::int64_t> ros_stamp_of_begin_;  ///< of time 0 of the session [ns]
   std::exception_ptr fault_;
 
   std::thread thread_;

@@ -56,7 +56,8 @@ void RegistrationGuide::start(const std::optional<Eigen::Isometry3d>& current) {
   if (!current)
     refuse(RegistrationFault::kNoRotation,
            "The rotation of the cameras towards the robot's base is not known.",
-           "Give the source a nominal mounting, or register from several poses instead.");
+           "Register from several poses instead, or name a registration in the live set-up: registration: "
+           "FILE.");
 }
 
 void RegistrationGuide::observe(const tracking::Snapshot& snapshot) {

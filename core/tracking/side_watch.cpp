@@ -30,8 +30,11 @@ std::vector<std::string> SideWatch::observe(const std::vector<SideStatus>& sides
   for (std::size_t k = 0; k < sides.size(); ++k) {
     const SideStatus& side = sides[k];
     Seen& seen = seen_[k];
-    // A program that connects again at once leaves no time to see the state.
-    if (side.refused > seen.refused && (side.state != State::kRefused || seen.state == State::kRefused))
+    // A program that connects again at once leaves no time to see the state. What is refused again and again,
+    // such as every message of a topic, is said once.
+    const bool again = side.fault == seen.fault && side.received == seen.received;
+    if (side.refused > seen.refused && (side.state != State::kRefused || seen.state == State::kRefused) &&
+        !again)
       sentences.push_back(fmt::format("{} refused: {}", side.name, side.fault));
     if (side.state != seen.state || side.part != seen.part)
       sentences.push_back(sentenceOf(side, seen.received > 0 ? seen.silent_for : 0.0));
@@ -39,7 +42,7 @@ std::vector<std::string> SideWatch::observe(const std::vector<SideStatus>& sides
       sentences.push_back(fmt::format("{}: clock stepped by {:+.3f} s", side.name, side.clock->last_step));
     seen.silent_for = side.state == State::kReceiving ? 0.0 : std::max(seen.silent_for, side.silent_for);
     seen.state = side.state, seen.part = side.part, seen.received = side.received;
-    seen.refused = side.refused;
+    seen.refused = side.refused, seen.fault = side.fault;
     seen.steps = side.clock ? side.clock->steps : 0;
   }
   return sentences;

@@ -67,6 +67,33 @@ TEST_F(CliLive, ARowOfALiveSessionIsInTheFileBeforeTheNextOneExists) {
   EXPECT_GE(std::stoi(textOf("lines.txt")), 2099);  // all but the last, which waits for its reference
 }
 
+/// A table that is written at once is tracked at the times of its rows, in real time.
+TEST_F(CliLive, RowsFasterThanRealTimeKeepTheirTimes) {
+  const std::string table = makeTable(), fifo = path("rows.fifo");
+  runShell("mkfifo " + fifo);
+  const auto lastTime = [](const std::string& text) {
+    const std::size_t line = text.rfind('\n', text.size() - 2) + 1;
+    return std::stod(text.substr(line));
+  };
+  const double last = lastTime(textOf("trial.csv"));
+  ASSERT_GT(last, 3.5) << "longer than what a session may be ahead by";
+  const Ran ran = run("track --live " + fifo + " --duration " + std::to_string(last - 0.1) + " --out " +
+                          path("live.csv") + " >/dev/null",
+                      "cat " + table + " >" + fifo + " & ");
+  ASSERT_EQ(ran.exit, 0) << ran.err;
+  EXPECT_EQ(ran.err.find("clock stepped"), std::string::npos) << ran.err;
+  EXPECT_NEAR(lastTime(textOf("live.csv")), last - 0.1, 0.05);
+}
+
+TEST_F(CliLive, EndsAfterItsDurationThoughNoRowsCome) {
+  const std::string table = makeTable(), fifo = path("rows.fifo");
+  runShell("mkfifo " + fifo);
+  const Ran ran = run("track --live " + fifo + " --duration 2 --out " + path("live.csv") + " >/dev/null",
+                      "head -500 " + table + " >" + fifo + " & timeout 30 ");
+  EXPECT_EQ(ran.exit, 0) << ran.err;
+  EXPECT_NE(textOf("live.csv").find("\n0.4"), std::string::npos);
+}
+
 TEST_F(CliLive, AFaultOnStandardInputNamesItsLine) {
   const std::string table = makeTable();
   const Ran faulty = run("track --live - ", "sed '1500s/,[^,]*/,oops/' " + table + " | ");

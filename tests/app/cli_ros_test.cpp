@@ -156,7 +156,7 @@ TEST_F(CliRos, ABagOfOursThatRosbagPlaysIsTrackedLive) {
   ASSERT_EQ(run("simulate --duration 4 --seed 5 --out " + path("a.capstan")).exit, 0);
   ASSERT_EQ(run("convert " + path("a.capstan") + " " + path("a.bag")).exit, 0);
   ASSERT_EQ(run("track " + path("a.bag") + " --out " + path("direct.csv") + " --save-registration " +
-                path("registration.yaml"))
+                path("registration.yaml") + " --json " + path("direct.json"))
                 .exit,
             0);
   std::ofstream(path("ros.yaml"))
@@ -179,6 +179,12 @@ TEST_F(CliRos, ABagOfOursThatRosbagPlaysIsTrackedLive) {
   EXPECT_EQ(live["live"][0]["clock"]["steps"], 0);
   EXPECT_EQ(live["live"][1]["unpaired"], 0);
   EXPECT_GT(live["camera_samples"], 50);
+  // The stamps of images and motors are of one clock: an exposure keeps its place among the rows.
+  const json direct = json::parse(textOf("direct.json"));
+  for (int joint = 0; joint < 3; ++joint) {
+    const double expected = direct["rms"]["cam"][joint];
+    EXPECT_NEAR(live["rms"]["cam"][joint], expected, 0.05 * expected) << joint;
+  }
   const auto motorRows = [&](const std::string& name) {
     const std::vector<double> camera = columnOf(name, "camera");
     std::vector<std::vector<double>> rows;

@@ -253,7 +253,7 @@ def over_ros(lab, begin=Session):
     core = start()
     time.sleep(2)
     setup = lab.setup("ros:/arm/actuators/measured_js", "ros:/stereo/left/image_raw", "ros:/stereo/right/image_raw",
-                      calibration=ROOT / "resources/cameras")
+                      calibration=ROOT / "resources/cameras", latency=0)  # stamps are exposures
     session = begin(lab, setup, env)
     started = time.time()
     playing = play(lab, "--to", "ros", env=env)

@@ -4,10 +4,17 @@
 
 namespace capstan::live {
 
-bool RowTimes::runsAhead(double time, double arrival) const {
+/// By how much the time is beyond the largest lead of the session's clock.
+double RowTimes::aheadBy(double time, double arrival) const {
   const double passed = arrival - begun_;
   const double waited = passed < kSettling ? kFirstWait - lead_ : 0.0;
-  return time - passed > lead_ + waited + kAhead;
+  return time - passed - (lead_ + waited + kAhead);
+}
+
+double RowTimes::tooEarly(double stamp, double arrival) const {
+  const double ahead = stamp - stamp_;
+  if (!started_ || ahead < 0.0 || ahead > kAhead) return 0.0;
+  return std::max(0.0, aheadBy(stamp + offset_, arrival));
 }
 
 /// lead_ rises at once to that of the rows while it settles; then it follows theirs, no faster than clocks
@@ -29,7 +36,7 @@ std::optional<double> RowTimes::of(double stamp, double arrival) {
   } else {
     constexpr double kLeastPause = 1e-3, kLeastStep = 1e-6;  // [s]
     const double passed = std::max(arrival - arrival_, kLeastPause), ahead = stamp - stamp_;
-    const bool stepped = ahead < -kBack || runsAhead(time, arrival);
+    const bool stepped = ahead < -kBack || aheadBy(time, arrival) > 0.0;
     if (stepped || (reconnected_ && ahead <= 0.0)) {
       ++steps_;
       last_step_ = ahead - passed;

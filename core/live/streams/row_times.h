@@ -8,14 +8,20 @@ namespace capstan::live {
 /// Times of rows that come in real time, on the session's clock. That clock starts at 0 with the first row
 /// and never goes back: where the rows' own clock steps, or another program sends on, it goes on by the time
 /// that has passed here. It is never ahead of this computer's clock by more than kAhead: rows whose stamps
-/// lie in the future do not run it on.
+/// lie in the future do not run it on. Where rows come faster than real time, whoever reads them has to wait
+/// (tooEarly()); a row that comes too early nevertheless is a step of the rows' clock.
 class RowTimes {
  public:
   /// Time of a row [s]; nothing if the row is repeated or older than the one before. `stamp`: its own time
   /// [s]; `arrival`: on this computer [s].
   std::optional<double> of(double stamp, double arrival);
+  /// For how long a row has to wait, since it comes faster than real time [s]; 0: it is due, or its stamp has
+  /// jumped.
+  double tooEarly(double stamp, double arrival) const;
   /// The next row is the first one of another connection: a stamp that does not rise is a step of the clock.
   void reconnect() { reconnected_ = true; }
+  /// Time on the session's clock minus the stamp, of the newest row [s].
+  double offset() const { return offset_; }
   /// Time of the row at which the rows' clock has stepped last [s]; 0: none.
   double timeOfLastStep() const { return time_of_step_; }
   std::uint64_t steps() const { return steps_; }        ///< steps of the rows' clock so far
@@ -32,7 +38,7 @@ class RowTimes {
   static constexpr double kFirstWait = 2.0, kSettling = 2.0;
 
  private:
-  bool runsAhead(double time, double arrival) const;
+  double aheadBy(double time, double arrival) const;
   void follow(double time, double arrival);
 
   bool started_ = false, reconnected_ = false;

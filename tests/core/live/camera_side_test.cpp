@@ -188,7 +188,7 @@ TEST_F(CameraSideOfAVideo, GivesPairsAtTheVideosRate) {
   const auto since = [&](CameraSide::Clock::time_point at) -> std::optional<double> {
     return std::chrono::duration<double>(at - start).count();
   };
-  CameraSide cameras(setup(), since, queue);
+  CameraSide cameras(setup(), since, {}, queue);
   double last = -1.0;
   for (int k = 0; k < kFrames; ++k) {
     ASSERT_TRUE(queue.ready(2s)) << k;
@@ -212,7 +212,7 @@ TEST_F(CameraSideOfAVideo, BeginsWithTheSession) {
   SampleQueue queue(1000, kFrames);
   std::atomic<bool> begun = false;
   CameraSide cameras(
-      setup(), [&](CameraSide::Clock::time_point) { return begun ? std::optional(1.0) : std::nullopt; },
+      setup(), [&](CameraSide::Clock::time_point) { return begun ? std::optional(1.0) : std::nullopt; }, {},
       queue);
   EXPECT_FALSE(queue.ready(300ms));
   EXPECT_EQ(cameras.status().received, 0U);
@@ -236,7 +236,7 @@ class NetworkCameras : public ::testing::Test {
         [start](CameraSide::Clock::time_point t) -> std::optional<double> {
           return std::chrono::duration<double>(t - start).count();
         },
-        queue_);
+        nullptr, queue_);
   }
   cv::Mat newImage() {
     cv::Mat image(48, 64, CV_8UC3);
@@ -285,7 +285,7 @@ TEST(CameraSide, RefusesWhatIsNoCamera) {
   setup.left = "/dev/video97", setup.right = "/dev/video98";
   SampleQueue queue(10);
   try {
-    CameraSide cameras(setup, {}, queue);
+    CameraSide cameras(setup, {}, {}, queue);
     FAIL();
   } catch (const base::InputError& error) {
     EXPECT_EQ(error.fault().file, "/dev/video97");

@@ -211,6 +211,23 @@ TEST(RowTimes, AreNeverAheadOfThisComputersClock) {
   EXPECT_LT(largestLead([](int k) { return k % 2 * 5.0; }, 100.0), kLead) << "steps within one packet";
 }
 
+/// A recording that another program writes as fast as it can: whoever waits as told keeps every stamp.
+TEST(RowTimes, TellHowLongARowThatComesFasterThanRealTimeHasToWait) {
+  RowTimes times;
+  double arrival = 5.0;
+  for (int k = 0; k < 10000; ++k) {
+    const double stamp = 1e-3 * k, early = times.tooEarly(stamp, arrival);
+    EXPECT_GE(early, 0.0);
+    arrival += early > 0.0 ? early + 1e-6 : 0.0;
+    ASSERT_NEAR(*times.of(stamp, arrival), stamp, 1e-9);
+  }
+  EXPECT_EQ(times.steps(), 0U);
+  const double lead = 1e-3 * 9999 - (arrival - 5.0);
+  EXPECT_GT(lead, RowTimes::kFirstWait);
+  EXPECT_LT(lead, RowTimes::kFirstWait + 2.0 * RowTimes::kAhead + RowTimes::kFast * 10.0);
+  EXPECT_EQ(times.tooEarly(1e9, arrival), 0.0) << "a stamp that jumps";
+}
+
 TEST(RowTimes, FollowAClockThatIsFastByAPerThousand) {
   RowTimes times;
   for (int k = 0; k < 3600000; k += 10) {

@@ -40,7 +40,9 @@ TEST_F(SideWatchTest, SaysARefusalThatWasTooShortToBeSeen) {
   EXPECT_EQ(observe(State::kRefused), Sentences{"motors refused: line 7 is no row"});
   EXPECT_EQ(observe(State::kRefused), Sentences{});
   side_.refused = 3;
-  EXPECT_EQ(observe(State::kRefused), Sentences{"motors refused: line 7 is no row"}) << "another one";
+  EXPECT_EQ(observe(State::kRefused), Sentences{}) << "the same again";
+  side_.refused = 4, side_.fault = "line 9 is no row";
+  EXPECT_EQ(observe(State::kRefused), Sentences{"motors refused: line 9 is no row"}) << "another one";
 }
 
 TEST_F(SideWatchTest, NamesTheCameraAndTheStepOfAClock) {

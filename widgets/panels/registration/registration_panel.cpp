@@ -16,6 +16,7 @@
 
 namespace capstan::widgets {
 
+using registration::RegistrationFault;
 using registration::RegistrationStep;
 
 RegistrationPanel::RegistrationPanel(QWidget* parent) : QWidget(parent) {
@@ -182,7 +183,7 @@ void RegistrationPanel::refresh() {
       return stop_->showGuide(*guide_);
     case RegistrationStep::kCollect:
     case RegistrationStep::kRefused:
-      steps_->setStep(1);
+      steps_->setStep(guide_->fault() == RegistrationFault::kNoRotation ? 0 : 1);
       pages_->setCurrentWidget(collect_);
       if (entered || points_shown_ != guide_->framesSeen() || step == RegistrationStep::kRefused)
         collect_->showGuide(*guide_);
