@@ -23,6 +23,7 @@ using Eigen::VectorXd;
 constexpr double kShareOfSpeed = 0.8;  // of a joint's highest speed, reached at the steepest point
 constexpr double kMargin = 0.05;       // of a joint's range that stays free at each limit
 constexpr double kFrameRate = 15.0;    // [1/s]
+constexpr double kHelps = 0.9;         // of a parameter's σ: what is left more has not become known
 constexpr double kMotorRate = 500.0;   // [1/s]; motor angles are linear between samples
 const ShootingOptions kPieces{.segment = 20.0, .threads = 1};
 
@@ -142,18 +143,20 @@ std::string wordsOf(const MotionProposal& proposal, const ParameterSet& set) {
   const SinusoidMotion& motion = proposal.motion;
   const auto degrees = [](double angle) { return fmt::format("{:.0f}°", base::toDegrees(angle)); };
   std::vector<std::string> gains;
+  bool helps = false;
   for (const int i : proposal.weak) {
     const auto at = static_cast<std::size_t>(i);
+    helps = helps || proposal.then[at] < kHelps * proposal.now[at];
     gains.push_back(fmt::format("{} {:.2g} %, now {:.2g} %", set[i].name(), 100.0 * proposal.then[at],
                                 100.0 * proposal.now[at]));
   }
   return fmt::format(
-      "{:.0f} s about {}, {}, {:.0f} mm by ±{}, ±{}, ±{:.0f} mm at {:.2f}, {:.2f}, {:.2f} Hz; predicted σ: "
+      "{}{:.0f} s about {}, {}, {:.0f} mm by ±{}, ±{}, ±{:.0f} mm at {:.2f}, {:.2f}, {:.2f} Hz; predicted σ: "
       "{}",
-      motion.duration, degrees(motion.centre(0)), degrees(motion.centre(1)),
-      base::toMillimetres(motion.centre(2)), degrees(motion.amplitude(0)), degrees(motion.amplitude(1)),
-      base::toMillimetres(motion.amplitude(2)), motion.frequency(0), motion.frequency(1), motion.frequency(2),
-      fmt::join(gains, "; "));
+      helps ? "" : "No motion helps much. The best one: ", motion.duration, degrees(motion.centre(0)),
+      degrees(motion.centre(1)), base::toMillimetres(motion.centre(2)), degrees(motion.amplitude(0)),
+      degrees(motion.amplitude(1)), base::toMillimetres(motion.amplitude(2)), motion.frequency(0),
+      motion.frequency(1), motion.frequency(2), fmt::join(gains, "; "));
 }
 
 }  // namespace
