@@ -73,6 +73,12 @@ void notice(const std::string& text) { fmt::print(stderr, "capstan-cli: {}\n", t
 
 nlohmann::json toJson(const Eigen::Vector3d& vector) { return {vector.x(), vector.y(), vector.z()}; }
 
+nlohmann::json toJson(const Eigen::Isometry3d& pose) {
+  const Eigen::Quaterniond rotation(pose.rotation());
+  return {{"position", toJson(Eigen::Vector3d(pose.translation()))},
+          {"quaternion", {rotation.x(), rotation.y(), rotation.z(), rotation.w()}}};
+}
+
 std::string isoNow() {
   const std::time_t now = std::time(nullptr);
   std::tm local{};

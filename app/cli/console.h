@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <thread>
@@ -49,6 +49,8 @@ class Output {
 void notice(const std::string& text);
 
 nlohmann::json toJson(const Eigen::Vector3d& vector);
+/// `position` [m] and `quaternion` (x, y, z, w).
+nlohmann::json toJson(const Eigen::Isometry3d& pose);
 
 /// Present local time as ISO 8601, to the second.
 std::string isoNow();

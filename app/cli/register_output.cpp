@@ -35,7 +35,6 @@ Registered registerRows(std::vector<registration::PairRow> rows,
 
 nlohmann::json documentOf(const Registered& found) {
   const auto& fit = found.fit;
-  const Eigen::Quaterniond turn(fit.base_from_camera.rotation());
   nlohmann::json rejected = nlohmann::json::array(), covariance = nlohmann::json::array();
   nlohmann::json residuals(found.rows, nullptr), shifts = residuals, skipped = nlohmann::json::array();
   for (std::size_t i = 0; i < fit.used.size(); ++i) {
@@ -49,9 +48,7 @@ nlohmann::json documentOf(const Registered& found) {
     const Eigen::Matrix<double, 1, 6> line = fit.covariance.row(row);
     covariance.push_back(std::vector<double>(line.data(), line.data() + 6));
   }
-  return {{"base_from_camera",
-           {{"position", toJson(fit.base_from_camera.translation())},
-            {"quaternion", {turn.x(), turn.y(), turn.z(), turn.w()}}}},
+  return {{"base_from_camera", toJson(fit.base_from_camera)},
           {"rms", fit.rms},
           {"leave_one_out_rms", fit.leave_one_out_rms},
           {"sigma", fit.sigma},

@@ -16,10 +16,7 @@ nlohmann::json numberOrNull(const std::optional<double>& value) {
 }
 
 nlohmann::json poseOrNull(const std::optional<Eigen::Isometry3d>& pose) {
-  if (!pose) return nullptr;
-  const Eigen::Quaterniond turn(pose->rotation());
-  return {{"position", toJson(pose->translation())},
-          {"quaternion", {turn.x(), turn.y(), turn.z(), turn.w()}}};
+  return pose ? toJson(*pose) : nlohmann::json(nullptr);
 }
 
 /// Number of an entry, 0 if `text` is none.
@@ -64,7 +61,7 @@ nlohmann::json documentOf(std::span<const registration::HistoryEntry> entries) {
 }
 
 nlohmann::json documentOf(const registration::RegistrationDifference& difference) {
-  return {{"translation", toJson(difference.translation)},
+  return {{"translation", toJson(Eigen::Vector3d(difference.translation))},
           {"rotation", difference.rotation},
           {"tool_median", difference.tool.median},
           {"tool_largest", difference.tool.largest}};

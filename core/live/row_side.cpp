@@ -117,7 +117,7 @@ void RowSide::pass(recording::MeasuredTable table) {
     keep[k] = time.has_value();
     if (time) table.t[k] = *time;
   }
-  deliverKept(table, keep, arrival);
+  deliverKept(std::move(table), keep, arrival);
 }
 
 /// Waits for a row that comes faster than real time, and meanwhile reads no further, so that its sender has
@@ -133,11 +133,10 @@ double RowSide::waitUntilDue(double stamp) {
 }
 
 /// Delivers the rows of `keep`, which is then empty.
-void RowSide::deliverKept(const recording::MeasuredTable& table, std::vector<bool>& keep, double arrival) {
-  recording::MeasuredTable kept = table;
-  recording::keepRows(kept, keep);
+void RowSide::deliverKept(recording::MeasuredTable table, std::vector<bool>& keep, double arrival) {
+  recording::keepRows(table, keep);
   keep.assign(keep.size(), false);
-  deliver(std::move(kept), arrival);
+  deliver(std::move(table), arrival);
 }
 
 void RowSide::deliver(recording::MeasuredTable table, double arrival) {

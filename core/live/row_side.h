@@ -56,7 +56,7 @@ class RowSide {
   void begin(bool replaced);
   void pass(recording::MeasuredTable table);
   double waitUntilDue(double stamp);
-  void deliverKept(const recording::MeasuredTable& table, std::vector<bool>& keep, double arrival);
+  void deliverKept(recording::MeasuredTable table, std::vector<bool>& keep, double arrival);
   void deliver(recording::MeasuredTable table, double arrival);
   void refuse(const std::string& reason);
   double now() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include "core/base/units.h"
 #include "core/registration/camera_order.h"
+#include "core/vision/equal_images.h"
 
 namespace capstan::registration {
 namespace {
@@ -19,11 +19,6 @@ constexpr int kMostFrozen = 3;          // equal images in a row that no camera 
 constexpr double kMostPeriods = 5.0;    // periods without a pair after which the images are missing
 constexpr int kFewJudged = 8;           // pairs that decide on the order of the cameras
 constexpr double kMargin = 6.0;         // [px] around the marker, for its edge
-
-bool equal(const cv::Mat& a, const cv::Mat& b) {
-  return a.size() == b.size() && a.type() == b.type() && a.isContinuous() && b.isContinuous() && !a.empty() &&
-         std::memcmp(a.data, b.data, a.total() * a.elemSize()) == 0;
-}
 
 cv::Rect around(const vision::MarkerDetection& marker, const cv::Size& size) {
   const double reach = marker.radius + kMargin;
@@ -89,7 +84,7 @@ void CameraChecks::see(const tracking::StereoFrame& frame, const tracking::Snaps
   for (std::size_t side = 0; side < 2; ++side) {
     const cv::Mat& image = side == 0 ? frame.left : frame.right;
     sizes_[side] = image.size();
-    frozen_[side] = equal(image, last_[side]) ? frozen_[side] + 1 : 0;
+    frozen_[side] = vision::areEqual(image, last_[side]) ? frozen_[side] + 1 : 0;
     image.copyTo(last_[side]);
     const vision::MarkerDetection& marker = snapshot.marker[side];
     faults_[side] = marker.fault;
@@ -115,55 +110,67 @@ std::vector<CameraCheck> CameraChecks::checks() const {
   return {images(), sameTime(), focus(), exposure(), marker(), geometry()};
 }
 
-CameraCheck CameraChecks::images() const {
-  CameraCheck check{.name = "images"};
-  const double silent = now_ - newest_;
-  const double patience = std::max(tracking::SideStatus::kSilence, kMostPeriods * period_);
+/// Fails for the first camera stream that is silent or frozen.
+std::optional<CameraCheck> CameraChecks::streamFault() const {
+  using State = tracking::SideStatus::State;
   for (const tracking::SideStatus& side : sides_) {
-    using State = tracking::SideStatus::State;
     if (side.counted != "image" || (side.state != State::kSilent && side.state != State::kFrozen)) continue;
-    check.state = CheckState::kFail;
-    check.value = fmt::format("{} {} for {:.1f} s", side.part.empty() ? "both" : side.part,
-                              base::nameOf(side.state), side.silent_for);
-    check.remedy = fmt::format("The {} is {}. Check cable, power and address of the camera ({}).",
-                               side.part.empty() ? "camera side" : side.part + " camera",
-                               base::nameOf(side.state), side.from);
+    const auto state = base::nameOf(side.state);
+    return CameraCheck{
+        .name = "images",
+        .state = CheckState::kFail,
+        .value =
+            fmt::format("{} {} for {:.1f} s", side.part.empty() ? "both" : side.part, state, side.silent_for),
+        .remedy = fmt::format("The {} is {}. Check cable, power and address of the camera ({}).",
+                              side.part.empty() ? "camera side" : side.part + " camera", state, side.from)};
+  }
+  return std::nullopt;
+}
+
+/// Fails where one camera gives no image, repeats one, or has another size than its calibration.
+std::optional<CameraCheck> CameraChecks::imageFault(std::size_t side) const {
+  CameraCheck check{.name = "images", .state = CheckState::kFail};
+  const char* name = kSides[side];
+  if (sizes_[side].empty()) {
+    check.value = fmt::format("{} gives none", name);
+    check.remedy = fmt::format("The {} camera gives no image. Check its cable, power and address.", name);
     return check;
   }
+  if (frozen_[side] >= kMostFrozen) {
+    check.value = fmt::format("{} frozen", name);
+    check.remedy = fmt::format("The {} camera repeats one image. Reconnect it, or restart its driver.", name);
+    return check;
+  }
+  if (!watch_) return std::nullopt;
+  const vision::Camera& camera = side == 0 ? watch_->rig().left : watch_->rig().right;
+  if (sizes_[side] == cv::Size(camera.width, camera.height)) return std::nullopt;
+  check.value = fmt::format("{} {} × {}", name, sizes_[side].width, sizes_[side].height);
+  check.remedy = fmt::format(
+      "The {} image has {} × {} px, its calibration {} × {}. Use the calibration of this size, or set the "
+      "camera to that one.",
+      name, sizes_[side].width, sizes_[side].height, camera.width, camera.height);
+  return check;
+}
+
+CameraCheck CameraChecks::images() const {
+  if (auto fault = streamFault()) return *fault;
+  CameraCheck check{.name = "images"};
   if (!std::isfinite(newest_)) {
     check.value = "none yet";
     return check;
   }
-  check.state = CheckState::kPass;
-  check.value = period_ > 0.0 ? fmt::format("{:.1f} /s", 1.0 / period_) : "arriving";
+  for (const std::size_t side : {1U, 0U})
+    if (auto fault = imageFault(side)) return *fault;
+  const double silent = now_ - newest_;
+  const double patience = std::max(tracking::SideStatus::kSilence, kMostPeriods * period_);
   if (silent > patience) {
     check.state = CheckState::kFail;
     check.value = fmt::format("none for {:.1f} s", silent);
     check.remedy = "No images arrive. Check cable, power and address of both cameras.";
+    return check;
   }
-  for (std::size_t side = 0; side < 2; ++side) {
-    const char* name = kSides[side];
-    if (sizes_[side].empty()) {
-      check.state = CheckState::kFail;
-      check.value = fmt::format("{} gives none", name);
-      check.remedy = fmt::format("The {} camera gives no image. Check its cable, power and address.", name);
-    } else if (frozen_[side] >= kMostFrozen) {
-      check.state = CheckState::kFail;
-      check.value = fmt::format("{} frozen", name);
-      check.remedy =
-          fmt::format("The {} camera repeats one image. Reconnect it, or restart its driver.", name);
-    } else if (watch_) {
-      const vision::Camera& camera = side == 0 ? watch_->rig().left : watch_->rig().right;
-      if (sizes_[side] == cv::Size(camera.width, camera.height)) continue;
-      check.state = CheckState::kFail;
-      check.value = fmt::format("{} {} × {}", name, sizes_[side].width, sizes_[side].height);
-      check.remedy = fmt::format(
-          "The {} image has {} × {} px, its calibration {} × {}. Use the calibration of this size, or set "
-          "the "
-          "camera to that one.",
-          name, sizes_[side].width, sizes_[side].height, camera.width, camera.height);
-    }
-  }
+  check.state = CheckState::kPass;
+  check.value = period_ > 0.0 ? fmt::format("{:.1f} /s", 1.0 / period_) : "arriving";
   return check;
 }
 
@@ -198,10 +205,8 @@ CameraCheck CameraChecks::focus() const {
     check.state = CheckState::kFail;
     check.remedy = fmt::format(
         "Edges {} the {} image are blurred by {:.1f} px (standard deviation); beyond {:.1f} px the search "
-        "for the "
-        "marker's edge does not reach its background. Turn the focus of this camera, clean its lens, or hold "
-        "the "
-        "arm still.",
+        "for the marker's edge does not reach its background. Turn the focus of this camera, clean its lens, "
+        "or hold the arm still.",
         at_marker_[side] ? "of the marker in" : "in", kSides[side], blur_[side], vision::kLargestBlur);
   }
   return check;
@@ -221,8 +226,7 @@ std::string CameraChecks::exposureFault(std::size_t side) const {
   if (brightness < least)
     return fmt::format(
         "The {} image is too dark: {} has {:.0f} of 255; below {:.0f} its shaded side falls under the "
-        "marker's "
-        "smallest value ({}). Lengthen the exposure, raise the gain, or add light.",
+        "marker's smallest value ({}). Lengthen the exposure, raise the gain, or add light.",
         kSides[side], at_marker_[side] ? "half of the marker" : "95 % of it", brightness, least,
         marker_.value_low);
   return {};
@@ -263,7 +267,7 @@ CameraCheck CameraChecks::marker() const {
   return check;
 }
 
-/// Whether the order of the cameras is wrong by the rays alone, before poses tell more.
+/// Whether the rays alone show exchanged cameras, before there are enough poses.
 bool CameraChecks::seemExchanged() const {
   return watch_ && watch_->finding().verdict == StereoVerdict::kUnknown && judged_ >= kFewJudged &&
          2 * exchanged_ > judged_;
@@ -292,8 +296,7 @@ CameraCheck CameraChecks::geometry() const {
     check.value = "rays meet behind";
     check.remedy =
         "Most likely the left and the right camera are exchanged. Exchange them here, and left and right in "
-        "the "
-        "live set-up so that it stays. (Mirrored images look the same until the arm has moved.)";
+        "the live set-up so that it stays. (Mirrored images look the same until the arm has moved.)";
     check.button = "Exchange the cameras";
     return check;
   }

@@ -74,6 +74,8 @@ class CameraChecks {
 
  private:
   CameraCheck images() const;
+  std::optional<CameraCheck> streamFault() const;
+  std::optional<CameraCheck> imageFault(std::size_t side) const;
   CameraCheck sameTime() const;
   CameraCheck focus() const;
   CameraCheck exposure() const;

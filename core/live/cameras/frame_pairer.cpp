@@ -1,15 +1,10 @@
 #include "core/live/cameras/frame_pairer.h"
 
 #include <cmath>
-#include <cstring>
+
+#include "core/vision/equal_images.h"
 
 namespace capstan::live {
-
-bool FramePairer::equalsLast(int side, const cv::Mat& image) const {
-  const cv::Mat& last = last_[static_cast<std::size_t>(side)];
-  return last.size() == image.size() && last.type() == image.type() && last.isContinuous() &&
-         image.isContinuous() && std::memcmp(last.data, image.data, image.total() * image.elemSize()) == 0;
-}
 
 void FramePairer::exclude(std::size_t side, Held* other) {
   held_[side].pop_front();
@@ -21,7 +16,7 @@ void FramePairer::exclude(std::size_t side, Held* other) {
 
 std::optional<FramePair> FramePairer::add(int side, double t, const cv::Mat& image, std::uint64_t lost) {
   const auto own = static_cast<std::size_t>(side);
-  frozen_ += is_frozen_[own] = equalsLast(side, image);
+  frozen_ += is_frozen_[own] = vision::areEqual(last_[own], image);
   last_[own] = image;
   lost_ += lost;
   if (!held_[own].empty() && t <= held_[own].back().t)

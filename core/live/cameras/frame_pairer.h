@@ -45,7 +45,6 @@ class FramePairer {
     bool frozen = false;
     std::uint64_t lost = 0;  ///< images of its side that were dropped before it, and have not been missed yet
   };
-  bool equalsLast(int side, const cv::Mat& image) const;
   /// Excludes the oldest image of a side; `other`: the next image of the other side, if one is there.
   void exclude(std::size_t side, Held* other);
 

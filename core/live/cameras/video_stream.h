@@ -30,7 +30,7 @@ class VideoStream {
   bool read(cv::Mat& image);
   bool isFile() const;
   /// When the last image arrived: the time at which the driver of a V4L2 device had it (a busy computer reads
-  /// it later), else the time at which it could be read, before it was decoded where that can be told.
+  /// it later), else the time at which it could be read; of Motion JPEG, the time before its decoding.
   std::chrono::steady_clock::time_point arrival() const;
 
   static constexpr std::chrono::milliseconds kPatience{1000};

@@ -5,9 +5,9 @@
 
 namespace capstan::live {
 
-/// Listens on a TCP port and reads from one program at a time; a second one is told so and disconnected. A
-/// program that nothing of use has come from for kPatience (confirm()) holds the place only until another one
-/// comes; before its first use a newcomer waits for that time.
+/// Listens on a TCP port and reads from one program at a time; a second one gets an error and is
+/// disconnected. A program without a valid row for kPatience (confirm()) is replaced when another one
+/// connects. Before its first valid row, the other one waits for that time.
 class TcpListener final : public ByteStream {
  public:
   /// Throws base::InputError with the reason where the port cannot be listened on.

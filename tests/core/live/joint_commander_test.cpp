@@ -21,6 +21,7 @@
 #include "core/live/live_source.h"
 #include "core/ros1/master_topics.h"
 #include "core/ros1/ros_topics.h"
+#include "tests/core/live/setup_fault.h"
 #include "tests/support/servo_robot.h"
 
 extern char** environ;
@@ -317,15 +318,8 @@ TEST_F(NobodyListens, IsSaid) {
 }
 
 TEST(CommandsOfASetup, AreChecked) {
-  const auto path = std::filesystem::temp_directory_path() / ("capstan_commands_" + std::to_string(getpid()));
-  const auto faultOf = [&](const std::string& commands) -> std::string {
-    std::ofstream(path) << "title: mine\nmotors:\n  from: tcp://127.0.0.1:5555\ncommands:\n" << commands;
-    try {
-      readLiveSetup(path);
-    } catch (const base::InputError& error) {
-      return error.fault().key;
-    }
-    return {};
+  const auto faultOf = [](const std::string& commands) {
+    return refusedKey("title: mine\nmotors:\n  from: tcp://127.0.0.1:5555\ncommands:\n" + commands);
   };
   EXPECT_EQ(faultOf("  servo_jp: /arm/servo_jp\n"), "");
   EXPECT_EQ(faultOf("  move_jp: /arm/move_jp\n  speed: [0.1, 0.1, 0.01]\n"), "");
@@ -335,7 +329,6 @@ TEST(CommandsOfASetup, AreChecked) {
   EXPECT_EQ(faultOf("  servo_jp: /a\n  signs: [1, 0.5, 1]\n"), "commands.signs");
   EXPECT_EQ(faultOf("  servo_jp: /a\n  speed: [0.1, 0.1, 5]\n"), "commands.speed[2]");
   EXPECT_EQ(faultOf("  servo_jp: /a\n  names: [one]\n"), "commands.names");
-  std::filesystem::remove(path);
 }
 
 }  // namespace

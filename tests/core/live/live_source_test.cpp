@@ -9,13 +9,13 @@
 #include <future>
 
 #include "core/base/error.h"
-#include "core/base/yaml.h"
 #include "core/live/player.h"
 #include "core/live/runner.h"
 #include "core/live/streams/tcp_sender.h"
 #include "core/recording/table_source.h"
 #include "core/tracking/make_pipeline.h"
 #include "core/tracking/side_text.h"
+#include "tests/core/live/setup_fault.h"
 #include "tests/support/folders.h"
 
 namespace capstan::live {
@@ -247,17 +247,8 @@ TEST(LiveSetup, FilesAreChecked) {
   const LiveSetup cameras = readLiveSetup(test::sourceFile("resources/live/rows_and_cameras.yaml"));
   ASSERT_TRUE(cameras.cameras);
   EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(cameras.cameras->calibration) / "left.yaml"));
-  const auto path =
-      std::filesystem::temp_directory_path() / ("capstan_live_" + std::to_string(getpid()) + ".yaml");
-  const auto faultOf = [&](const std::string& motors) {
-    base::writeTextFile(path, "title: mine\nmotors:\n" + motors);
-    try {
-      readLiveSetup(path);
-    } catch (const base::InputError& error) {
-      EXPECT_EQ(error.fault().file, path.string());
-      return error.fault().key;
-    }
-    return std::string();
+  const auto faultOf = [](const std::string& motors) {
+    return refusedKey("title: mine\nmotors:\n" + motors);
   };
   EXPECT_EQ(faultOf("  from: tcp://127.0.0.1:5555\n"), "");
   EXPECT_EQ(faultOf("  from: tcp://nowhere\n"), "motors.from");
@@ -266,7 +257,6 @@ TEST(LiveSetup, FilesAreChecked) {
   EXPECT_EQ(faultOf("  from: \"-\"\n  read_as: q_m=parsec\n"), "motors.read_as");
   EXPECT_EQ(faultOf("  from: \"-\"\ncameras:\n  left: /dev/video0\n  calibration: .\n"), "cameras.right");
   EXPECT_EQ(faultOf("  form: \"-\"\n"), "motors.form");
-  std::filesystem::remove(path);
 }
 
 }  // namespace

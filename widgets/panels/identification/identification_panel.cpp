@@ -28,7 +28,7 @@ namespace {
 constexpr int kPoll = 200;          ///< [ms]
 constexpr int kRoomForTrace = 330;  ///< height of the panel below which the table needs it all [px]
 constexpr int kAdviceLines = 2;
-constexpr int kLeastPage = 88, kLeastTable = 56;  ///< heights that leave the buttons in sight [px]
+constexpr int kLeastPage = 88, kLeastTable = 56;  ///< least heights with which the buttons stay visible [px]
 
 QString text(const std::string& words) { return QString::fromStdString(words); }
 

@@ -65,7 +65,7 @@ class RegistrationPanel : public QWidget {
   /// The user accepted the registration; the owner passes it to the pipeline and stores it with the session.
   void accepted(const Eigen::Isometry3d& base_from_camera, const QString& summary);
   void rejected(const QString& reason);
-  /// The user asked for a correction of the images or the cameras.
+  /// The user pressed the button that corrects the images or the cameras.
   void remedyRequested(const capstan::registration::CameraRemedy& remedy);
   /// The user accepted or rejected; follows accepted() and rejected(). Date, robot and session are empty.
   void decided(const capstan::registration::HistoryEntry& entry);
