@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "core/diagnosis/evidence/smooth_readings.h"
 #include "core/diagnosis/fit/start_of_motion.h"
 #include "core/robot/chain/chain_state.h"
 
@@ -28,31 +27,6 @@ constexpr double kAfterRestart = 0.12;    // time after a restart in which camer
                                           // observation may show the time before the restart [s]
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
-/// Noise of one joint's channel; zero if none was estimated.
-ChannelNoise noiseOf(const std::vector<ChannelNoise>& noise, std::size_t joint) {
-  return joint < noise.size() ? noise[joint] : ChannelNoise{};
-}
-
-/// Column without its sensor's noise, smoothed segment by segment, so that noise does not excite a
-/// simulation.
-std::vector<double> smooth(const Evidence& evidence, std::vector<double> column, const ChannelNoise& noise) {
-  for (const Segment& segment : evidence.segments) {
-    const auto readings = std::span(column).subspan(segment.begin, segment.size());
-    std::ranges::copy(smoothReadings(readings, noise.floor()), readings.begin());
-  }
-  return column;
-}
-
-/// Inputs of the simulation: commanded torques, or motor positions without the steps of their encoders, since
-/// each step would jerk the cable.
-Columns driveOf(const Evidence& evidence) {
-  if (evidence.drive == DriveKind::kRigid) return evidence.tau_m;
-  Columns columns;
-  for (std::size_t j = 0; j < evidence.q_m.size(); ++j)
-    columns.push_back(smooth(evidence, evidence.q_m[j], noiseOf(evidence.noise.q_m, j)));
-  return columns;
-}
-
 /// Whether contacts open, the cable yields, or the joint sticks and slips.
 bool isRough(const robot::ChainModel& model, int joint) {
   return (model.shape.laws[joint] & (robot::kLawPlay | robot::kLawSlack | robot::kLawHysteresis)) != 0 ||
@@ -72,22 +46,12 @@ void put(const Of<double>& from, int lane, Of<robot::ChainLane>& to) {
 }  // namespace
 
 ChainSimulation::ChainSimulation(const Evidence& evidence, const robot::Description& robot, double horizon)
-    : evidence_(evidence), chain_(robot), joints_(evidence.joints) {
+    : evidence_(evidence),
+      chain_(robot),
+      joints_(evidence.joints),
+      inputs_(inputsOf(evidence)),
+      rows_(inputs_.rows(evidence.t)) {
   stride_ = std::max(1, static_cast<int>(std::lround(kOutputStep / evidence.step)));
-  drive_ = driveOf(evidence);
-  rows_.t = evidence.t.data();
-  for (int j = 0; j < joints_; ++j) {
-    const auto at = static_cast<std::size_t>(j);
-    rows_.drive[j] = drive_[at].data();
-    if (evidence.tau_ext.empty()) continue;
-    load_.push_back(smooth(evidence, evidence.tau_ext[at], noiseOf(evidence.noise.tau_ext, at)));
-    signed_load_.push_back(
-        smooth(evidence, withSigns(evidence.tau_ext[at]), noiseOf(evidence.noise.tau_ext, at)));
-  }
-  for (std::size_t j = 0; j < load_.size(); ++j) {
-    rows_.load[j] = load_[j].data();
-    rows_.signed_load[j] = signed_load_[j].data();
-  }
   findWindows(evidence.drive == DriveKind::kRigid ? horizon : 0.0);
   findInitialStates(robot);
   findSamples(robot);
@@ -104,6 +68,7 @@ void ChainSimulation::findFreeSteps(const robot::Description& robot) {
     return readings;
   };
   const int most = std::max(1, static_cast<int>(std::ceil(evidence_.step / kShortestFreeStep - 1e-9)));
+  if (most == 1) return;
   Eigen::MatrixXd coarse = readingsWith(1);
   for (int steps = 1; steps < most; steps *= 2) {
     Eigen::MatrixXd fine = readingsWith(2 * steps);
@@ -276,22 +241,8 @@ robot::ChainState<double> ChainSimulation::initialState(const robot::ChainModel&
 
 void ChainSimulation::simulateShaken(const Robot& robot, base::Random& random,
                                      Eigen::Ref<Eigen::MatrixXd> readings) const {
-  const EvidenceNoise& noise = evidence_.noise;
-  const auto shaken = [&](std::vector<double> column, const ChannelNoise& of) {
-    for (double& x : column) x += random.normal(0.0, of.floor());
-    return smooth(evidence_, std::move(column), of);
-  };
-  robot::ChainRows rows = rows_;
-  Columns drive = drive_, load = load_, signed_load = signed_load_;
-  for (std::size_t j = 0; j < drive.size(); ++j) {
-    if (evidence_.drive == DriveKind::kCable)
-      rows.drive[j] = (drive[j] = shaken(std::move(drive[j]), noiseOf(noise.q_m, j))).data();
-    if (load.empty()) continue;
-    rows.load[j] = (load[j] = shaken(std::move(load[j]), noiseOf(noise.tau_ext, j))).data();
-    rows.signed_load[j] =
-        (signed_load[j] = shaken(std::move(signed_load[j]), noiseOf(noise.tau_ext, j))).data();
-  }
-  simulate(rows, {&robot, 1}, readings);
+  const SimulationInputs shaken = shakenInputs(evidence_, inputs_, random);
+  simulate(shaken.rows(evidence_.t), {&robot, 1}, readings);
 }
 
 std::size_t ChainSimulation::outputsOf(const Window& window) const {

@@ -8,6 +8,7 @@
 
 #include "core/base/random.h"
 #include "core/diagnosis/evidence/evidence.h"
+#include "core/diagnosis/fit/simulation_inputs.h"
 #include "core/diagnosis/residuals/residual.h"
 #include "core/robot/chain/chain_lanes.h"
 #include "core/robot/chain/chain_model.h"
@@ -76,8 +77,8 @@ class ChainSimulation {
     simulate(rows_, robots, readings);
   }
 
-  /// Simulates one robot with random noise on its inputs, of the size of the sensors' noise: on loads, and on
-  /// motor positions of cable drives.
+  /// Simulates one robot with random noise on its inputs, of the size of the sensors' noise
+  /// (shakenInputs()).
   void simulateShaken(const Robot& robot, base::Random& random, Eigen::Ref<Eigen::MatrixXd> readings) const;
 
   /// Simulates one robot through whole segments, without restarts at windows, on all rows.
@@ -130,9 +131,8 @@ class ChainSimulation {
   Compared compared_;
   std::vector<std::vector<Sample>> samples_;            ///< one list per window
   std::vector<std::vector<Observation>> observations_;  ///< one list per window
-  Columns drive_;               ///< inputs: motor torques, or smoothed motor positions of a cable drive
-  Columns load_, signed_load_;  ///< smoothed loads: as measured, and with the signs of withSigns()
-  robot::ChainRows rows_;
+  SimulationInputs inputs_;
+  robot::ChainRows rows_;  ///< of inputs_
 };
 inline constexpr double kSettling = 0.5;        ///< time that is not compared at a start without encoders [s]
 inline constexpr double kComparedRate = 100.0;  ///< rate at which joint encoders are compared [Hz]
