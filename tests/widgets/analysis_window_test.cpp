@@ -1,8 +1,10 @@
 // The analysis in the whole window, beside a running session.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <QAction>
 #include <QFile>
+#include <QScrollBar>
 #include <QTemporaryDir>
 #include <QtTest/QTest>
 
@@ -11,6 +13,7 @@
 #include "widgets/panels/analysis/analysis_table.h"
 #include "widgets/panels/analysis/figure_pair.h"
 #include "widgets/panels/errors/errors_panel.h"
+#include "widgets/shell/dock_scroll.h"
 #include "widgets/shell/main_window.h"
 #include "widgets/shell/session_bar.h"
 
@@ -50,6 +53,16 @@ class AnalysisWindow : public testing::Test {
   std::unique_ptr<MainWindow> window_;
 };
 
+/// Least widths of the widest parts of a page, for the message of a failure.
+std::string leastWidths(const QWidget& page) {
+  std::string words;
+  for (const QWidget* part : page.findChildren<QWidget*>())
+    if (part->minimumSizeHint().width() > 500)
+      words += fmt::format(" {} {} {}", part->metaObject()->className(), part->objectName().toStdString(),
+                           part->minimumSizeHint().width());
+  return words;
+}
+
 TEST_F(AnalysisWindow, TakesInTheSessionSoFar) {
   open(1280, 800);
   ASSERT_TRUE(reaches(8.0));
@@ -82,6 +95,18 @@ TEST_F(AnalysisWindow, TakesInTheSessionSoFar) {
   }
   window_->action("analyse")->trigger();
   EXPECT_TRUE(window_->figure().isVisible());
+}
+
+TEST_F(AnalysisWindow, FitsBesideTheDocksOfASmallWindow) {
+  open(1280, 800);
+  for (const char* page : {"analyse", "diagnose", "learn"}) {
+    window_->action(page)->trigger();
+    QTest::qWait(200);
+    for (const DockScroll* scroll : window_->centralWidget()->findChildren<DockScroll*>()) {
+      if (!scroll->isVisible()) continue;
+      EXPECT_EQ(scroll->horizontalScrollBar()->maximum(), 0) << page << ": least widths" << leastWidths(*scroll->widget());
+    }
+  }
 }
 
 TEST_F(AnalysisWindow, BeginsAnewWithTheErrorTable) {

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kRoomForAll = 950;  ///< height below which identification and notes are tabs of one place [px]
 constexpr int kBars = 160;        ///< menus, toolbar, status line, tabs and gaps, about [px]
-constexpr int kStrip = 120;       ///< height around a floating dock that is not worth leaving [px]
+constexpr int kStrip = 120;       ///< room around a floating dock that is not worth leaving [px]
 constexpr int kRoomForTwo = 680;  ///< height below which all panels of a side are tabs of one place [px]
 
 /// Moves a dock over the central widget when it is first shown.
@@ -31,6 +31,7 @@ class FirstPlace : public QObject {
     const QRect area(centre.mapToGlobal(QPoint(0, 0)), centre.size());
     QSize size = dock_.sizeHint().boundedTo(area.size()).expandedTo(dock_.minimumSizeHint());
     if (area.height() - size.height() < kStrip) size.setHeight(std::max(size.height(), area.height()));
+    if (area.width() - size.width() < kStrip) size.setWidth(std::max(size.width(), area.width()));
     dock_.setGeometry(QRect(area.center() - QPoint(size.width() / 2, size.height() / 2), size));
     return false;
   }

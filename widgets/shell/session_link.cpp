@@ -200,6 +200,7 @@ void SessionLink::tick() {
   last_state_ = now.state;
   if (now.command_fault_count != std::exchange(command_faults_, now.command_fault_count))
     Q_EMIT failed(QString::fromStdString(now.command_fault));
+  lookForFrames();  // who compares the newest image with the status has the newest one
   Q_EMIT status(now);
   if (++ticks_ % kReportTicks == 0) Q_EMIT report(runner_->report());
 }

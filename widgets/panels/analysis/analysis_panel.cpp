@@ -38,7 +38,7 @@ ErrorRun readRun(const RunChoice& choice, base::Progress& progress) {
 
 AnalysisPanel::AnalysisPanel(QWidget* parent) : QWidget(parent) {
   auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(10, 6, 10, 6);
+  column->setContentsMargins(6, 6, 6, 6);
   column->setSpacing(5);
   addHead(column);
   split_ = new QSplitter(Qt::Vertical);

@@ -29,7 +29,7 @@ void turn(QComboBox* box) { box->setCurrentIndex((box->currentIndex() + 1) % box
 OptionsBar::OptionsBar(QWidget* parent) : QWidget(parent) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(6);
+  row->setSpacing(2);  // all of it fits beside the docks of a window of 1280 px
   addChoices();
   addEstimators();
   row->addStretch(1);

@@ -1,12 +1,28 @@
 #include "widgets/panels/experiments/experiment_picker.h"
-#include "core/recording/recording_kinds.h"
 
+#include <QAbstractItemView>
 #include <QBoxLayout>
 #include <QComboBox>
+
+#include "core/recording/recording_kinds.h"
 
 namespace capstan::widgets {
 
 using experiments::CorrectionExperiment;
+
+namespace {
+
+constexpr int kLeastLetters = 12;  // shown of an entry in a window of 1280 px
+
+/// The entries stay whole in the list that opens.
+void shrinkWithItsRow(QComboBox& box) {
+  box.view()->setMinimumWidth(box.sizeHint().width());
+  box.setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  box.setMinimumContentsLength(kLeastLetters);
+  box.setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+}
+
+}  // namespace
 
 ExperimentPicker::ExperimentPicker(QWidget* parent)
     : FilePicker({"experiment_tables", tr("tables"),
@@ -25,11 +41,13 @@ ExperimentPicker::ExperimentPicker(QWidget* parent)
   towards_->setToolTip(tr("Stream that observed poses are compared with"));
   row()->insertWidget(0, experiment_);
   row()->addWidget(towards_);
-  for (QComboBox* box : {experiment_, towards_})
+  for (QComboBox* box : {experiment_, towards_}) {
+    shrinkWithItsRow(*box);
     connect(box, qOverload<int>(&QComboBox::currentIndexChanged), this, [this] {
       refresh();
       Q_EMIT changed();
     });
+  }
   refresh();
 }
 
