@@ -61,6 +61,7 @@ def yaml_corpora():
         "experiment_file": ["experiments/A.yaml", "experiments/pulleys_known.yaml"],
         "live_setup": ["live/ros.yaml", "live/rows_and_cameras.yaml", "live/rows_over_tcp.yaml"],
         "option_files": ["tracking/default.yaml", "identification/default.yaml"],
+        "registration_history": [],
     }.items():
         for file in files:
             put(target, file.replace("/", "-"), resource(file))
@@ -71,6 +72,12 @@ def yaml_corpora():
     put("option_files", "trajectory.yaml", "kind: sinusoid\nduration: 2\n")
     put("marker_file", "plain.yaml", "hue: [50, 70]\n")
     put("marker_file", "unknown.yaml", "colour: green\n")
+    entry = "  - {date: 2026-01-02T03:04:05, decision: %s, method: %s, robot: one%s}\n"
+    pose = ", rms: 0.001, used: 5, translation: [0.1, 0.2, 0.3], rotation: [[1, 0, 0], [0, 0, -1], [0, 1, 0]]"
+    put("registration_history", "three.yaml", "registrations:\n" + entry % ("accepted", "hard stop", pose)
+        + entry % ("rejected", "several poses", ", reason: blurred") + entry % ("imported", "file", pose))
+    put("registration_history", "half.yaml",
+        "registrations:\n" + entry % ("accepted", "file", ", translation: [0.1, 0.2, 0.3]"))
     put("experiment_file", "recordings.yaml",
         "name: bench\nwork: track\nrobot: [A, B]\ntrials:\n  - {name: one, recording: ../one.capstan, read_as: q_m=deg}\n"
         "  - {name: two, seed: 9007199254740992, occlusion: {percentage: 40}}\n")
