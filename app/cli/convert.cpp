@@ -81,7 +81,7 @@ std::string writeVideo(const ConvertArguments& arguments, base::Progress& progre
   if (video.other_size > 0)
     notice(fmt::format("{} frames of another size than the first are excluded: a video has one size",
                        video.other_size));
-  return fmt::format("{} frames", video.frames);
+  return fmt::format("{} frames, the first {:.4f} s after the first sample", video.frames, video.begin);
 }
 
 std::unique_ptr<tracking::Source> open(const ConvertArguments& arguments, RecordingFormat format) {

@@ -22,6 +22,7 @@ struct PlayArguments {
   double speed = 1.0;
   unsigned seed = 1;
   std::vector<std::string> faults, video_faults;
+  bool wait_for_images = false;
 };
 
 struct RowPlay {
@@ -122,23 +123,41 @@ Played playBoth(const PlayArguments& arguments, const std::optional<RowPlay>& ro
   return played;
 }
 
+/// Waits until the receiver has subscribed: to the motors, and to the images where --wait-for-images says so;
+/// else these get a moment, since a receiver that wants them subscribes to all topics at once. False: the
+/// user has cancelled. Throws base::InputError where nobody has subscribed.
+bool waitForReceiver(const live::RosPlayer& player, bool images, bool wait_for_images,
+                     base::Progress& progress) {
+  using Topics = live::RosPlayer::Topics;
+  constexpr std::chrono::seconds kPatience{30}, kMoment{1};
+  const auto wait = [&](Topics topics, const char* what) {
+    if (player.waitForSubscribers(topics, kPatience, &progress)) return true;
+    if (progress.cancelled()) return false;
+    refuseOption("--to", kRos,
+                 fmt::format("has no subscriber of {} after {} s; topics: {}", what, kPatience.count(),
+                             player.words()),
+                 "Start the receiver first, for example: capstan-cli track --live resources/live/ros.yaml");
+  };
+  notice(fmt::format("waiting for a subscriber of the {}: {}",
+                     images && wait_for_images ? "motors and images" : "motors", player.words()));
+  if (!wait(Topics::kMotors, "the motors")) return false;
+  if (!images) return true;
+  if (wait_for_images) return wait(Topics::kImages, "both images");
+  if (!player.waitForSubscribers(Topics::kImages, kMoment, &progress) && !progress.cancelled())
+    notice("nobody has subscribed to both images; --wait-for-images would wait for that");
+  return !progress.cancelled();
+}
+
 /// Publishes rows and images on ROS topics, each from a source of its own.
 Played playRos(const PlayArguments& arguments, RecordingFormat format, const RowPlay& rows,
                base::Progress& progress) {
-  constexpr std::chrono::seconds kPatience{30};
   const auto open = [&](Notices notices) {
     return openSource(arguments.file, format, arguments.robot, readAsOf(arguments.read_as), notices);
   };
   const auto motors = open(Notices::kSaid), cameras = open(Notices::kQuiet);
   live::RosPlayer player(motors->info());
   const bool images = motors->info().rig.has_value();
-  notice(fmt::format("waiting for subscribers of {}", player.words()));
-  if (!player.waitForSubscribers(images, kPatience, &progress)) {
-    if (progress.cancelled()) return {};
-    refuseOption("--to", kRos,
-                 fmt::format("has no subscriber of {} after {} s", player.words(), kPatience.count()),
-                 "Start the receiver first, for example: capstan-cli track --live resources/live/ros.yaml");
-  }
+  if (!waitForReceiver(player, images, arguments.wait_for_images, progress)) return {};
   const live::PlayClock clock{.begin = motors->info().begin, .speed = arguments.speed};
   std::future<live::ImagePlayReport> shown;
   if (images)
@@ -182,6 +201,8 @@ void say(const PlayArguments& arguments, const Output& output, std::size_t rows,
 ExitCode play(const PlayArguments& arguments) {
   const std::optional<RowPlay> rows = rowPlayOf(arguments);
   const std::optional<ImagePlay> images = imagePlayOf(arguments);
+  if (arguments.wait_for_images && arguments.to != kRos)
+    refuseOption("--wait-for-images", "", "needs --to ros", "Leave it out");
   if (!rows && !images)
     refuseOption("--to", "", "is missing, and so is --video", "Give one of them, or both");
   const RecordingFormat format = detectFormat(arguments.file);
@@ -216,6 +237,9 @@ void addPlay(CLI::App& app, ExitCode& exit) {
   command->add_option("--video", arguments->video,
                       "serve the images of a session (Motion JPEG), as in http://127.0.0.1:8081; they go on\n"
                       "while nobody takes the rows, which are tried again every 0.5 s");
+  command->add_flag(
+      "--wait-for-images", arguments->wait_for_images,
+      "with --to ros: begin when somebody subscribes to both images, too, not to the motors alone");
   command
       ->add_option("--speed", arguments->speed,
                    "recording time per wall time; 0: as fast as the receiver takes")

@@ -157,7 +157,12 @@ ExitCode track(TrackArguments& arguments, const CLI::App& command) {
     info.base_from_camera = registerBy(arguments.registration, arguments.mounting, open, options, message);
     notice(message);
   } else if (info.rig && !info.base_from_camera) {
-    notice("no registration is stored with this recording: the filter runs on kinematics (see --register)");
+    notice(
+        arguments.live.empty()
+            ? "no registration is stored with this recording: the filter runs on kinematics (see --register)"
+            : "the live set-up names no registration: the filter runs on kinematics. Register in the window "
+              "(capstan --live, Ctrl+R), and write the file into the set-up, as `registration:` of "
+              "`cameras:`, or give it with --register");
   }
   if (!arguments.save_registration.empty() && !info.base_from_camera)
     refuseOption("--save-registration", arguments.save_registration, "has no registration to write",

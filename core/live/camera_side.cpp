@@ -6,6 +6,8 @@
 
 #include "core/base/error.h"
 #include "core/live/streams/address.h"
+#include "core/live/topic_hint.h"
+#include "core/ros1/bag_topics.h"
 #include "core/ros1/received_image.h"
 #include "core/ros1/ros_topics.h"
 #include "core/ros1/stamp.h"
@@ -33,14 +35,11 @@ VideoSettings settingsOf(const CamerasSetup& setup) {
 
 }  // namespace
 
-CameraSide::CameraSide(const CamerasSetup& setup,
-                       std::function<std::optional<double>(Clock::time_point)> session_time,
-                       std::function<std::optional<double>(std::int64_t)> stamp_time, SampleQueue& queue)
+CameraSide::CameraSide(const CamerasSetup& setup, SessionClock clock, SampleQueue& queue)
     : setup_(setup),
       addresses_(setup.layout == CameraLayout::kTwo ? std::vector{setup.left, setup.right}
                                                     : std::vector{setup.left}),
-      session_time_(std::move(session_time)),
-      stamp_time_(std::move(stamp_time)),
+      session_(std::move(clock)),
       queue_(queue),
       pairer_(setup.pairing) {
   newest_.fill({start_, start_});
@@ -51,6 +50,7 @@ CameraSide::CameraSide(const CamerasSetup& setup,
     const bool later = isNetworkStream(address) || isRosTopic(address);
     first_.push_back(later ? nullptr : std::make_unique<VideoStream>(address, settingsOf(setup)));
   }
+  files_ = std::ranges::all_of(first_, [](const auto& video) { return video && video->isFile(); });
   for (int stream = 0; stream < static_cast<int>(addresses_.size()); ++stream)
     threads_.emplace_back([this, stream] { work(stream); });
 }
@@ -111,7 +111,21 @@ void CameraSide::waitToReopen() const {
 
 void CameraSide::waitForSession() const {
   constexpr std::chrono::milliseconds kPeriod{1};
-  while (!quit_ && !session_time_(Clock::now())) std::this_thread::sleep_for(kPeriod);
+  while (!quit_ && !session_.at(Clock::now())) std::this_thread::sleep_for(kPeriod);
+}
+
+/// Waits until the session's clock has the time of an image of a file.
+CameraSide::Times CameraSide::waitUntilDue(double position) const {
+  constexpr std::chrono::duration<double> kLongest{0.02};  // the relation of the clocks may change
+  const double due = (session_.begin ? session_.begin() : 0.0) + position;
+  Clock::time_point now = Clock::now();
+  for (; !quit_; now = Clock::now()) {
+    const std::optional<double> time = session_.at(now);
+    if (time && *time >= due) break;
+    std::this_thread::sleep_for(time ? std::min(kLongest, std::chrono::duration<double>(due - *time))
+                                     : kLongest);
+  }
+  return {0, now, due};
 }
 
 void CameraSide::readStream(int stream, VideoStream& video) {
@@ -123,9 +137,17 @@ void CameraSide::readStream(int stream, VideoStream& video) {
   if (video.isFile()) waitForSession();
   cv::Mat image;
   while (!quit_ && video.read(image)) {
-    take(stream, image, {0, video.arrival()}, 0);
+    const Times times = video.isFile() ? waitUntilDue(video.position()) : Times{0, video.arrival()};
+    take(stream, image, times, 0);
     image.release();  // the next one must not overwrite it
   }
+}
+
+void CameraSide::noteHint(TopicHint& hint) {
+  const std::optional<std::string> reason = hint.ask();
+  if (!reason || reason->empty()) return;
+  const std::lock_guard lock(mutex_);
+  status_.fault = *reason;
 }
 
 /// Until the end: a topic outlives its publishers.
@@ -133,9 +155,13 @@ void CameraSide::workOnTopic(int stream, const std::string& topic) {
   constexpr std::chrono::milliseconds kWait{50};
   ros1::TopicReader reader(topic, kWaiting);
   std::uint64_t connections = 0;
+  TopicHint hint(topic, ros1::carriesImages, "images");
   while (!quit_) {
     const auto message = reader.next(kWait);
-    if (!message) continue;
+    if (!message) {
+      if (connections == 0) noteHint(hint);
+      continue;
+    }
     try {
       const ros1::StampedImage image = ros1::imageOf(*message);
       {
@@ -151,9 +177,11 @@ void CameraSide::workOnTopic(int stream, const std::string& topic) {
   }
 }
 
-/// Time by which images are paired [s]: the stamp, or the arrival at this computer since start_ where there
-/// are none. An image without a stamp between others with one gets the stamp that would have come with it.
+/// Time by which images are paired [s]: the session's of files, the stamp, or the arrival at this computer
+/// since start_ where there are none. An image without a stamp between others with one gets the stamp that
+/// would have come with it.
 double CameraSide::pairingTime(int stream, const Times& times) {
+  if (files_) return times.session;
   const double arrival = std::chrono::duration<double>(times.arrival - start_).count();
   if (times.stamp == 0) return origin_ == 0 ? arrival : clock_.toDevice(arrival);
   if (origin_ == 0) origin_ = times.stamp;
@@ -173,16 +201,17 @@ CameraSide::Clock::time_point CameraSide::computerTime(double pairing_time) cons
 /// delay.
 std::optional<double> CameraSide::exposureOf(const FramePair& pair) const {
   constexpr double kEarliest = -0.02, kLatest = 0.25;  // delay of the fastest images beyond that of rows [s]
-  const std::optional<double> by_arrival = session_time_(computerTime(pair.t));
+  if (files_) return pair.t;
+  const std::optional<double> by_arrival = session_.at(computerTime(pair.t));
   if (origin_ == 0 || !by_arrival) return by_arrival;
   const std::optional<double> by_stamp =
-      !stamp_time_ ? std::nullopt : stamp_time_(origin_ + ros1::nanosecondsOf(pair.t));
+      !session_.of_stamp ? std::nullopt : session_.of_stamp(origin_ + ros1::nanosecondsOf(pair.t));
   const bool agree = by_stamp && *by_arrival - *by_stamp > kEarliest && *by_arrival - *by_stamp < kLatest;
   return agree ? by_stamp : by_arrival;
 }
 
 void CameraSide::take(int stream, const cv::Mat& image, const Times& times, std::uint64_t lost) {
-  const bool running = session_time_(times.arrival).has_value();
+  const bool running = session_.at(times.arrival).has_value();
   const std::lock_guard lock(mutex_);
   Newest& newest = newest_[static_cast<std::size_t>(stream)];
   newest.image = times.arrival;
@@ -207,7 +236,7 @@ void CameraSide::take(int stream, const cv::Mat& image, const Times& times, std:
 }
 
 void CameraSide::pass(FramePair pair, Clock::time_point arrival) {
-  const std::optional<double> now = session_time_(arrival), seen = exposureOf(pair);
+  const std::optional<double> now = session_.at(arrival), seen = exposureOf(pair);
   if (!now || !seen) return;
   const double t = *seen - setup_.latency;
   gaps_.add(t);

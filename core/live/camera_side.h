@@ -19,21 +19,30 @@
 
 namespace capstan::live {
 
+class TopicHint;
+
 /// Reads the images of one or two streams, or ROS topics, on threads of their own, pairs them, and puts the
 /// pairs into a queue. A pair with an image that equals the one before is excluded, and counted as frozen. A
-/// stream that ends or falls silent is opened again. A video file begins with the session. Images of ROS
-/// topics are paired by their stamps, whose clock is then mapped to that of this computer (ClockMap); others
-/// are paired by the times at which their driver had them, or at which they arrived. A reader that is behind
-/// drops images; their pairs are counted as dropped.
+/// stream that ends or falls silent is opened again. A video file begins with the session: the time of an
+/// image is its time in the file after the session's first sample, and it comes as soon as that time is over.
+/// Images of ROS topics are paired by their stamps, whose clock is then mapped to that of this computer
+/// (ClockMap); others are paired by the times at which their driver had them, or at which they arrived. A
+/// reader that is behind drops images; their pairs are counted as dropped.
 class CameraSide {
  public:
   using Clock = std::chrono::steady_clock;
-  /// `session_time`: time on the session's clock at a time of this computer; nothing before the session has
-  /// begun, and then images are not passed on. `stamp_time`: time on the session's clock of a ROS stamp [ns];
-  /// nothing where the motors have no such stamps. A network stream may come later. Throws base::InputError
-  /// where a device or file cannot be opened.
-  CameraSide(const CamerasSetup& setup, std::function<std::optional<double>(Clock::time_point)> session_time,
-             std::function<std::optional<double>(std::int64_t)> stamp_time, SampleQueue& queue);
+  /// The session's clock.
+  struct SessionClock {
+    /// Time at a time of this computer; nothing before the session has begun, and then images are not passed
+    /// on.
+    std::function<std::optional<double>(Clock::time_point)> at;
+    /// Time of a ROS stamp [ns]; nothing where the motors have no such stamps.
+    std::function<std::optional<double>(std::int64_t)> of_stamp;
+    /// Time of the first sample; none: 0.
+    std::function<double()> begin;
+  };
+  /// A network stream may come later. Throws base::InputError where a device or file cannot be opened.
+  CameraSide(const CamerasSetup& setup, SessionClock clock, SampleQueue& queue);
   ~CameraSide();
 
   tracking::SideStatus status() const;
@@ -41,11 +50,13 @@ class CameraSide {
  private:
   void work(int stream);
   void workOnTopic(int stream, const std::string& topic);
+  void noteHint(TopicHint& hint);
   void readStream(int stream, VideoStream& video);
   /// When an image came. A stamp is by the clock of the device.
   struct Times {
     std::int64_t stamp = 0;     ///< [ns]; 0: none
     Clock::time_point arrival;  ///< at this computer
+    double session = 0.0;       ///< on the session's clock, of an image of a file [s]
   };
   /// `lost`: number of images of the stream that were dropped before this one.
   void take(int stream, const cv::Mat& image, const Times& times, std::uint64_t lost);
@@ -55,15 +66,16 @@ class CameraSide {
   void pass(FramePair pair, Clock::time_point arrival);
   void waitToReopen() const;
   void waitForSession() const;
+  Times waitUntilDue(double position) const;
   /// Finds the stream without images, or without new ones, for the longest time.
   void judge(tracking::SideStatus& status) const;
 
   const CamerasSetup setup_;
   const std::vector<std::string> addresses_;  ///< one (both eyes in one image) or two
-  const std::function<std::optional<double>(Clock::time_point)> session_time_;
-  const std::function<std::optional<double>(std::int64_t)> stamp_time_;
+  const SessionClock session_;
   SampleQueue& queue_;
   std::vector<std::unique_ptr<VideoStream>> first_;  ///< opened by the constructor; null: a network stream
+  bool files_ = false;                               ///< all streams are video files
   std::atomic<bool> quit_{false};
 
   mutable std::mutex mutex_;  ///< protects the members below

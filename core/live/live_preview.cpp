@@ -46,7 +46,8 @@ void LivePreview::work() {
       const auto since = [begin = Clock::now()](Clock::time_point at) -> std::optional<double> {
         return std::chrono::duration<double>(at - begin).count();
       };
-      auto cameras = std::make_unique<CameraSide>(*setup_.cameras, since, nullptr, frames_);
+      auto cameras =
+          std::make_unique<CameraSide>(*setup_.cameras, CameraSide::SessionClock{since, {}, {}}, frames_);
       const std::lock_guard lock(mutex_);
       cameras_ = std::move(cameras);
     });

@@ -7,8 +7,13 @@
 
 #include "core/base/error.h"
 #include "core/base/yaml.h"
+#include "core/base/yaml_line.h"
 #include "core/live/streams/address.h"
 #include "core/recording/column_units.h"
+#include "core/robot/description.h"
+#include "core/vision/marker_file.h"
+#include "core/vision/registration_file.h"
+#include "core/vision/rig_file.h"
 
 namespace capstan::live {
 namespace {
@@ -69,11 +74,50 @@ void check(const LiveSetup& setup, const std::string& file) {
 
 bool isFifo(const std::string& path) { return std::filesystem::is_fifo(path); }
 
+/// Returns work(). An InputError that names no file, or `file` without a line, is rethrown with file and
+/// line.
+template <class Work>
+void namingLine(const std::string& text, const std::string& file, Work&& work) {
+  try {
+    work();
+  } catch (const base::InputError& error) {
+    base::InputFault fault = error.fault();
+    if (fault.line > 0 || (!fault.file.empty() && fault.file != file)) throw;
+    fault.file = file;
+    fault.line = base::yamlLine(text, file, fault.key);
+    throw base::InputError(std::move(fault));
+  }
+}
+
+/// Reads every file that the set-up names; `path`: of the set-up file. Throws base::InputError with the
+/// set-up's file, line and field where one of them cannot be used.
+void checkNamedFiles(const LiveSetup& setup, const std::filesystem::path& path) {
+  const auto read = [&](const char* field, const std::string& named, const auto& reader) {
+    if (named.empty()) return;
+    try {
+      reader(named);
+    } catch (const base::InputError& error) {
+      const std::string file = path.string();
+      throw base::InputError({file, base::yamlLine(base::readYamlTextFile(path), file, field), field, named,
+                              "cannot be used", error.what()});
+    }
+  };
+  read("robot", setup.robot, [](const std::string& file) { robot::readDescription(file); });
+  if (!setup.cameras) return;
+  const CamerasSetup& cameras = *setup.cameras;
+  if (cameras.calibration != kRosCalibration)
+    read("cameras.calibration", cameras.calibration, [](const std::string& file) { vision::readRig(file); });
+  read("cameras.registration", cameras.registration,
+       [](const std::string& file) { vision::readRegistration(file); });
+  read("cameras.marker", cameras.marker, [](const std::string& file) { vision::readMarkerFile(file); });
+}
+
 }  // namespace
 
 LiveSetup readLiveSetup(const std::filesystem::path& path) {
-  auto setup = base::readYamlFile<LiveSetup>(path);
-  base::namingFile(path.string(), [&] { check(setup, path.string()); });
+  const std::string text = base::readYamlTextFile(path), file = path.string();
+  auto setup = base::readYaml<LiveSetup>(text, file);
+  namingLine(text, file, [&] { check(setup, file); });
   return resolvedFrom(std::move(setup), path.parent_path());
 }
 
@@ -110,6 +154,7 @@ LiveSetup liveSetupOf(const std::string& text, const std::string& robot, const s
     return setup;
   }
   LiveSetup setup = readLiveSetup(text);
+  checkNamedFiles(setup, text);
   if (!robot.empty() && !setup.robot.empty())
     refuse({}, "--robot", robot, "is given, yet " + text + " names a robot, too", "Leave it out");
   if (!read_as.empty())

@@ -68,7 +68,12 @@ struct CamerasSetup {
            "ROS folder, Kalibr or OpenCV file of the cameras, or ros (camera_info beside the images)"});
     field(self.registration, {"registration", "", "registration file; none: register first", {}, false});
     field(self.marker, {"marker", "", "marker file (colour and shape); none: the green ball", {}, false});
-    field(self.latency, {"latency", "s", "from exposure to arrival", {0.0, 2.0}, false});
+    field(self.latency, {"latency",
+                         "s",
+                         "from exposure to arrival, or to the stamp; of a video file: by how much its first "
+                         "image is earlier than the first row (negative: later)",
+                         {-2.0, 2.0},
+                         false});
     field(self.pairing, {"pairing", "s", "largest time between two images of a pair", {0.0, 1.0}, false});
     field(self.rate,
           {"rate", "1/s", "images per second to ask for; 0: the device's own", {0.0, 1000.0}, false});
@@ -154,8 +159,8 @@ LiveSetup readLiveSetup(const std::filesystem::path& path);
 /// readLiveSetup() would refuse, and where the file cannot be written.
 void writeLiveSetup(const LiveSetup& setup, const std::filesystem::path& path);
 /// Set-up that `text` names: an address (isAddress()), with `robot`, or the path of a set-up file. Throws
-/// base::InputError as readLiveSetup() and parseAddress(), and where a set-up file has its own robot and
-/// `robot` is given, too.
+/// base::InputError as readLiveSetup() and parseAddress(), with the place in the set-up file for a file named
+/// there that cannot be used, and where a set-up file has its own robot and `robot` is given, too.
 LiveSetup liveSetupOf(const std::string& text, const std::string& robot, const std::string& read_as);
 
 }  // namespace capstan::live

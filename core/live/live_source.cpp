@@ -45,8 +45,11 @@ LiveSource::LiveSource(const LiveSetup& setup) : setup_(setup.motors), queue_(kC
                                     piped ? RowSide::Faults::kEnd : RowSide::Faults::kDisconnect, queue_);
   if (setup.cameras)
     cameras_ = std::make_unique<CameraSide>(
-        *setup.cameras, [this](CameraSide::Clock::time_point at) { return rows_->sessionTime(at); },
-        [this](std::int64_t stamp) { return rows_->sessionTimeOfStamp(stamp); }, queue_);
+        *setup.cameras,
+        CameraSide::SessionClock{[this](CameraSide::Clock::time_point at) { return rows_->sessionTime(at); },
+                                 [this](std::int64_t stamp) { return rows_->sessionTimeOfStamp(stamp); },
+                                 [this] { return rows_->sessionBegin(); }},
+        queue_);
   if (setup.commands) {
     commander_ = std::make_shared<JointCommander>(*setup.commands, info_.robot);
     transmission_.emplace(info_.robot);

@@ -46,11 +46,11 @@ std::string RosPlayer::words() const {
   return fmt::format("{}", fmt::join(topics, ", "));
 }
 
-bool RosPlayer::waitForSubscribers(bool images, std::chrono::milliseconds patience,
+bool RosPlayer::waitForSubscribers(Topics topics, std::chrono::milliseconds patience,
                                    const base::Progress* progress) const {
   const ros1::BagTopics ours = ros1::ourTopics();
-  std::vector<std::string> needed{ours.motors};
-  if (images) needed.insert(needed.end(), {ours.left, ours.right});
+  const std::vector<std::string> needed =
+      topics == Topics::kMotors ? std::vector{ours.motors} : std::vector{ours.left, ours.right};
   const auto end = std::chrono::steady_clock::now() + patience;
   const auto taken = [&](const std::string& topic) {
     const auto writer = writers_.find(topic);

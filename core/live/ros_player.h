@@ -21,9 +21,9 @@ class RosPlayer {
   /// Topics that are published, in words.
   std::string words() const;
 
-  /// Waits up to `patience` until somebody subscribes to the motors (and, with `images`, to both cameras).
-  /// False: nobody has.
-  bool waitForSubscribers(bool images, std::chrono::milliseconds patience,
+  enum class Topics { kMotors, kImages };
+  /// Waits up to `patience` until somebody subscribes to the motors, or to both cameras. False: nobody has.
+  bool waitForSubscribers(Topics topics, std::chrono::milliseconds patience,
                           const base::Progress* progress) const;
 
   /// Publishes motors, joints and tips of `source`. A fault of a motor sample is that of its joints, too.

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "core/base/error.h"
+#include "core/ros1/bag_topics.h"
 #include "core/ros1/message_codec.h"
 #include "core/ros1/stamp.h"
 
@@ -37,7 +38,8 @@ RosRows::RosRows(const RowsSetup& setup, const robot::Description& robot)
       software_(robot),
       motors_(topic_, kCapacity),
       encoders_(setup.encoders.empty() ? nullptr
-                                       : std::make_unique<ros1::TopicReader>(setup.encoders, kCapacity)) {}
+                                       : std::make_unique<ros1::TopicReader>(setup.encoders, kCapacity)),
+      hint_(topic_, ros1::carriesMotors, "motors") {}
 
 ReadState RosRows::read(std::chrono::milliseconds wait) {
   constexpr std::chrono::milliseconds kNow{0}, kSoon{1};

@@ -6,6 +6,7 @@
 
 #include "core/live/live_setup.h"
 #include "core/live/row_input.h"
+#include "core/live/topic_hint.h"
 #include "core/ros1/joint_message.h"
 #include "core/ros1/raven_state.h"
 #include "core/ros1/ros_topics.h"
@@ -25,6 +26,7 @@ class RosRows final : public RowInput {
   std::optional<recording::MeasuredTable> take() override;
   void refuse(const std::string&) override { received_.clear(), received_encoders_.clear(); }
   void checkOrder(const recording::MeasuredTable&) override {}
+  std::optional<std::string> hint() override { return hint_.ask(); }
   std::optional<std::int64_t> rosStampOfZero() const override {
     return origin_ == 0 ? std::nullopt : std::optional(origin_);
   }
@@ -54,6 +56,7 @@ class RosRows final : public RowInput {
   std::optional<ros1::RavenStateLayout> raven_;
   std::int64_t origin_ = 0;  ///< first stamp [ns]; 0: none yet
   std::uint64_t connections_ = 0;
+  TopicHint hint_;
   std::deque<ros1::TopicMessage> received_, received_encoders_;  ///< that take() has not decoded yet
   std::deque<Row> rows_;                                         ///< that wait for their encoders
   std::deque<Encoders> joints_;

@@ -26,6 +26,8 @@ class RowInput {
   virtual void confirm() {}
   /// Throws base::InputError if the times of `rows`, which take() has just returned, do not rise.
   virtual void checkOrder(const recording::MeasuredTable& rows) = 0;
+  /// Why nothing comes, empty where there is no such reason; nothing: as before. May take a second.
+  virtual std::optional<std::string> hint() { return {}; }
   /// Stamp of the ROS clock at time 0 of the rows [ns]; nothing: their times are of another clock.
   virtual std::optional<std::int64_t> rosStampOfZero() const { return {}; }
 };

@@ -48,6 +48,11 @@ std::optional<double> RowSide::sessionTime(Clock::time_point at) const {
   return clock_.toDevice(std::chrono::duration<double>(at - start_).count());
 }
 
+double RowSide::sessionBegin() const {
+  const std::lock_guard lock(mutex_);
+  return begin_;
+}
+
 std::optional<double> RowSide::sessionTimeOfStamp(std::int64_t stamp) const {
   const std::lock_guard lock(mutex_);
   if (!ros_stamp_of_begin_ || clock_steps_ > 0) return {};
@@ -77,6 +82,7 @@ void RowSide::readOnce() {
     if (state == ReadState::kOpened || state == ReadState::kReplaced) begin(state == ReadState::kReplaced);
     ended_ = state == ReadState::kEnded;
     if (auto rows = input_->take()) pass(std::move(*rows));
+    if (state == ReadState::kNothing && !first_known_) noteHint();
     if (state != ReadState::kClosed) return;
     const std::lock_guard lock(mutex_);
     status_.state = State::kWaiting;
@@ -85,6 +91,13 @@ void RowSide::readOnce() {
     if (faults_ == Faults::kEnd) throw;
     refuse(error.what());
   }
+}
+
+void RowSide::noteHint() {
+  const std::optional<std::string> hint = input_->hint();
+  if (!hint) return;
+  const std::lock_guard lock(mutex_);
+  status_.fault = *hint;
 }
 
 void RowSide::begin(bool replaced) {
@@ -166,6 +179,7 @@ void RowSide::deliver(recording::MeasuredTable table, double arrival) {
     if (t >= times_.timeOfLastStep()) clock_.add(t, arrival);
     gaps_.add(t);
   }
+  if (status_.received == 0) begin_ = table.t.front();
   status_.state = State::kReceiving;
   status_.received += table.rows();
   status_.dropped += dropped;

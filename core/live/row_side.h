@@ -44,6 +44,8 @@ class RowSide {
   tracking::SideStatus status() const;
   /// Time on the session's clock at a time of this computer; nothing before the first rows.
   std::optional<double> sessionTime(std::chrono::steady_clock::time_point at) const;
+  /// Time of the first row on the session's clock [s]; 0 before it.
+  double sessionBegin() const;
   /// Time on the session's clock of a stamp of the ROS clock [ns]; nothing where the rows have no such
   /// stamps, or their clock has stepped.
   std::optional<double> sessionTimeOfStamp(std::int64_t stamp) const;
@@ -53,6 +55,7 @@ class RowSide {
 
   void work();
   void readOnce();
+  void noteHint();
   void begin(bool replaced);
   void pass(recording::MeasuredTable table);
   double waitUntilDue(double stamp);
@@ -75,6 +78,7 @@ class RowSide {
   tracking::SideStatus status_;
   GapCounter gaps_;                                 ///< in the session's times
   ClockMap clock_;                                  ///< from the session's clock to this computer's
+  double begin_ = 0.0;                              ///< time of the first row [s]
   std::uint64_t clock_steps_ = 0;                   ///< of times_ that clock_ knows
   double last_arrival_ = 0.0;                       ///< [s] after start_
   std::optional<std::int64_t> ros_stamp_of_begin_;  ///< of time 0 of the session [ns]

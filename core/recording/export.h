@@ -39,9 +39,10 @@ std::int64_t exportPng(const std::filesystem::path& session, const std::filesyst
 struct VideoReport {
   std::int64_t frames = 0;
   std::int64_t other_size = 0;  ///< number of frames excluded because their size differs from the first
+  double begin = 0.0;           ///< exposure of the first frame after the session's first sample [s]
 };
-/// Writes both views side by side as a video at the recording's mean frame rate; the suffix selects the
-/// container (.avi, .mkv, .mp4).
+/// Writes both views side by side as a video at the mean rate of the frames' exposures; the suffix selects
+/// the container (.avi, .mkv, .mp4).
 VideoReport exportVideo(const std::filesystem::path& session, const std::filesystem::path& video,
                         base::Progress* progress = nullptr);
 

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
@@ -9,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/base/part_file.h"
 #include "core/recording/export.h"
+#include "core/recording/session_images.h"
 #include "core/recording/session_source.h"
 
 namespace capstan::recording {
@@ -57,10 +59,22 @@ void sideBySide(const tracking::StereoFrame& frame, cv::Mat& both) {
   frame.right.empty() ? void(right.setTo(0)) : frame.right.copyTo(right);
 }
 
-double meanRate(const SessionSummary& summary) {
-  const double span = summary.last_t - summary.first_t;
-  return summary.frames > 1 && span > 0.0 ? std::clamp(static_cast<double>(summary.frames) / span, 1.0, 240.0)
-                                          : 15.0;
+/// Times of exposure of the first and the last pair of images [s].
+struct Exposures {
+  double first = 0.0, last = 0.0;
+};
+
+Exposures exposuresOf(const std::filesystem::path& session, const SessionSummary& summary) {
+  constexpr double kAnywhere = std::numeric_limits<double>::infinity();
+  SessionImages images(session);
+  tracking::StereoFrame first, last;
+  images.at(summary.first_t, kAnywhere, first), images.at(summary.last_t, kAnywhere, last);
+  return {first.t, last.t};
+}
+
+double meanRate(std::int64_t frames, const Exposures& exposures) {
+  const double span = exposures.last - exposures.first;
+  return frames > 1 && span > 0.0 ? std::clamp(static_cast<double>(frames - 1) / span, 1.0, 240.0) : 15.0;
 }
 
 /// Checks the video file by reading its packets without decoding, because the writer does not report a full
@@ -102,9 +116,11 @@ VideoReport exportVideo(const std::filesystem::path& session, const std::filesys
   if (summary.frames == 0) refuse(session, "holds no images", "Choose a session recorded with cameras");
   const int fourcc = fourccFor(video);
   base::PartFile part(video, base::PartFile::Keep::kSuffix);
+  const Exposures exposures = exposuresOf(session, summary);
   VideoReport report;
+  report.begin = exposures.first - summary.first_t;
   {
-    cv::VideoWriter writer(part.path().string(), cv::CAP_FFMPEG, fourcc, meanRate(summary),
+    cv::VideoWriter writer(part.path().string(), cv::CAP_FFMPEG, fourcc, meanRate(summary.frames, exposures),
                            {2 * summary.width, summary.height});
     if (!writer.isOpened())
       refuse(video, "cannot be written", "Check the folder, its permissions and the suffix");

@@ -172,6 +172,7 @@ QGroupBox* LiveDialog::makeCameras() {
   marker_ = addPath(form, tr("Marker"), meaningOf<Cameras>("marker"), "marker");
   marker_->setPlaceholderText(tr("green ball"));
   latency_ = numberBox(tr(" ms"), 2000.0, 1);
+  latency_->setMinimum(-2000.0);  // a video file may begin after the first row
   addField<Cameras>(form, tr("Latency"), latency_, "latency");
   pairing_ = numberBox(tr(" ms"), 1000.0, 1);
   addField<Cameras>(form, tr("Pairing"), pairing_, "pairing");

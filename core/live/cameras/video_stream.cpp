@@ -5,7 +5,6 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <opencv2/videoio.hpp>
-#include <thread>
 #include <vector>
 
 #include "core/base/error.h"
@@ -70,8 +69,9 @@ class VideoStream::Impl {
                               "Check the device, address or file, and that no other program uses it"});
     if (!file_) apply(capture_, settings);
     jpeg_ = network && givesJpeg(capture_) && capture_.set(cv::CAP_PROP_FORMAT, -1.0);
-    const double rate = settings.rate > 0.0 ? settings.rate : capture_.get(cv::CAP_PROP_FPS);
-    if (file_ && rate > 0.0) period_ = std::chrono::duration<double>(1.0 / rate);
+    stamped_ = settings.rate <= 0.0;
+    const double rate = stamped_ ? capture_.get(cv::CAP_PROP_FPS) : settings.rate;
+    if (rate > 0.0) period_ = 1.0 / rate;
   }
 
   bool read(cv::Mat& image) {
@@ -85,16 +85,22 @@ class VideoStream::Impl {
       image = raw;
     else
       cv::cvtColor(raw, image, raw.channels() == 1 ? cv::COLOR_GRAY2BGR : cv::COLOR_BGRA2BGR);
-    if (file_) std::this_thread::sleep_until(arrival_ = due());
+    if (file_) place(1e-3 * capture_.get(cv::CAP_PROP_POS_MSEC));
     return true;
   }
   bool isFile() const { return file_; }
+  double position() const { return position_; }
   Clock::time_point arrival() const { return arrival_; }
 
  private:
-  Clock::time_point due() {
-    if (count_++ == 0) start_ = Clock::now();
-    return start_ + std::chrono::duration_cast<Clock::duration>(period_ * static_cast<double>(count_ - 1));
+  /// Sets the time of an image of a file with this time stamp [s]. Time stamps that do not rise are none.
+  void place(double stamp) {
+    if (count_++ == 0) {
+      first_stamp_ = stamp;
+      return;
+    }
+    const double by_stamp = stamp - first_stamp_;
+    position_ = stamped_ && by_stamp > position_ ? by_stamp : position_ + period_;
   }
 
   const bool file_;
@@ -102,8 +108,9 @@ class VideoStream::Impl {
   bool jpeg_ = false;  ///< capture_ gives JPEG files: the time of arrival is known before they are decoded
   Clock::time_point arrival_;
   cv::VideoCapture capture_;
-  std::chrono::duration<double> period_{0.0};
-  Clock::time_point start_;
+  bool stamped_ = true;         ///< the time stamps of a file count
+  double period_ = 1.0 / 30.0;  ///< of a file's images without time stamps [s]
+  double position_ = 0.0, first_stamp_ = 0.0;
   std::int64_t count_ = 0;
 };
 
@@ -112,6 +119,7 @@ VideoStream::VideoStream(const std::string& from, const VideoSettings& settings)
 VideoStream::~VideoStream() = default;
 bool VideoStream::read(cv::Mat& image) { return impl_->read(image); }
 bool VideoStream::isFile() const { return impl_->isFile(); }
+double VideoStream::position() const { return impl_->position(); }
 Clock::time_point VideoStream::arrival() const { return impl_->arrival(); }
 
 Clock::time_point driverTime(double driver_ms, Clock::time_point read) {

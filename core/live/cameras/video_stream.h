@@ -19,7 +19,7 @@ struct VideoSettings {
 bool isNetworkStream(const std::string& from);
 
 /// Images of a V4L2 device ("/dev/video0"), of a network stream ("rtsp://…", "udp://…", "tcp://…",
-/// "http://…") or of a video file, which is played at its own rate.
+/// "http://…") or of a video file, whose images are given as fast as they are read.
 class VideoStream {
  public:
   /// Throws base::InputError with the reason where the stream cannot be opened.
@@ -29,6 +29,9 @@ class VideoStream {
   /// Waits for the next image, 8-bit BGR. False: the stream has ended or gives nothing for kPatience.
   bool read(cv::Mat& image);
   bool isFile() const;
+  /// Time of the last image of a video file after its first one [s]: by the time stamps of the file, or by
+  /// VideoSettings::rate where it is given.
+  double position() const;
   /// When the last image arrived: the time at which the driver of a V4L2 device had it (a busy computer reads
   /// it later), else the time at which it could be read; of Motion JPEG, the time before its decoding.
   std::chrono::steady_clock::time_point arrival() const;

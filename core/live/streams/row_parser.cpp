@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/recording/settle_units.h"
+#include "core/recording/table_source.h"
 
 namespace capstan::live {
 
@@ -16,18 +17,35 @@ RowParser::RowParser(std::string name, robot::Description robot, recording::Read
 
 void RowParser::restart() {
   header_.clear(), pending_.clear();
-  lines_ = 0;
+  lines_ = 0, checked_.reset();
   units_settled_ = false;
 }
 
-MeasuredTable RowParser::parse(std::string_view lines) const {
+/// Parses lines that `before` lines of the stream precede.
+MeasuredTable RowParser::parse(std::string_view lines, std::size_t before) const {
   try {
     return recording::parseMeasuredRows(header_ + std::string(lines), name_);
   } catch (const base::InputError& error) {
     base::InputFault fault = error.fault();
-    if (fault.line > 1) fault.line += static_cast<int>(lines_) - 1;
+    if (fault.line > 1) fault.line += static_cast<int>(before) - 1;
     throw base::InputError(std::move(fault));
   }
+}
+
+/// Checks columns and cells of the lines in pending_[0, complete) that are held back.
+void RowParser::checkHeld(std::size_t complete) {
+  if (header_.empty() || checked_ == complete) return;
+  const std::size_t begin = checked_.value_or(0);
+  const std::string_view held = pending_;
+  const auto before = lines_ + static_cast<std::size_t>(std::ranges::count(held.substr(0, begin), '\n'));
+  std::string_view lines = held.substr(begin, complete - begin);
+  std::string zeros = "0";  // a row for a header that has none yet
+  if (lines.empty()) {
+    for (auto commas = std::ranges::count(header_, ','); commas > 0; --commas) zeros += ",0";
+    lines = zeros;
+  }
+  recording::checkForTracking(parse(lines, before), robot_);
+  checked_ = complete;
 }
 
 std::optional<MeasuredTable> RowParser::take(bool ended) {
@@ -49,11 +67,11 @@ std::optional<MeasuredTable> RowParser::take(bool ended) {
                             {},
                             fmt::format("a line has more than {} bytes", kLongestLine),
                             "Send rows of a measured table, each ended by a line feed"});
-  if (complete == 0) return {};
   const auto rows = static_cast<std::size_t>(
       std::count(pending_.begin(), pending_.begin() + static_cast<std::ptrdiff_t>(complete), '\n'));
-  if (!units_settled_ && !ended && rows < kFirstRows) return {};
-  MeasuredTable table = parse(std::string_view(pending_).substr(0, complete));
+  if (!units_settled_ && !ended && rows < kFirstRows) return checkHeld(complete), std::nullopt;
+  if (complete == 0) return {};
+  MeasuredTable table = parse(std::string_view(pending_).substr(0, complete), lines_);
   if (units_settled_)
     recording::readColumnsAs(table, robot_, read_as_);
   else

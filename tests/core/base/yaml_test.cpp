@@ -1,4 +1,5 @@
 #include "core/base/yaml.h"
+#include "core/base/yaml_line.h"
 
 #include <gtest/gtest.h>
 
@@ -150,6 +151,15 @@ TEST(Yaml, WhatIsWrittenSparinglyIsLeftOutWherePlain) {
 
 TEST(Yaml, AMissingFileIsAnInputError) {
   EXPECT_THROW(readYamlFile<Outer>("/nowhere/robot.yaml"), InputError);
+}
+
+TEST(Yaml, FindsTheLineOfAKey) {
+  const std::string text = "a: 1\nb:\n  c: [1,\n    2]\n  d: x\n";
+  EXPECT_EQ(yamlLine(text, "f", "a"), 1);
+  EXPECT_EQ(yamlLine(text, "f", "b.c[1]"), 3);
+  EXPECT_EQ(yamlLine(text, "f", "b.d"), 5);
+  EXPECT_EQ(yamlLine(text, "f", "b.missing"), 3) << "of the block that lacks it";
+  EXPECT_EQ(yamlLine(text, "f", "missing"), 1);
 }
 
 }  // namespace

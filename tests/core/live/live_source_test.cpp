@@ -1,7 +1,7 @@
 /// Rows over real connections of this computer.
 #include "core/live/live_source.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 #include <sys/stat.h>
 
 #include <filesystem>
@@ -195,6 +195,19 @@ TEST(LiveSource, AStrangerThatDripsBytesGivesWay) {
   }));
 }
 
+TEST(LiveSource, AnswersAWrongFirstLineWhileItsSenderWaits) {
+  for (const char* line : {"hello robot\n", "t,q1,q2,q3\n", "t,q_m1,q_m2,q_m3\n0,80,oops,-480\n"}) {
+    LiveSource source(listening());
+    TcpSender robot(addressOf(source));
+    const auto begin = std::chrono::steady_clock::now();
+    robot.send(line);
+    std::string answer;
+    ASSERT_TRUE(eventually([&] { return !(answer = robot.answer()).empty(); })) << line;
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, 500ms) << line;
+    EXPECT_TRUE(answer.starts_with("error: ")) << answer;
+  }
+}
+
 TEST(LiveSource, ReadsAFifoOfSeveralWriters) {
   const auto path = std::filesystem::temp_directory_path() / ("capstan_fifo_" + std::to_string(getpid()));
   ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
@@ -257,6 +270,38 @@ TEST(LiveSetup, FilesAreChecked) {
   EXPECT_EQ(faultOf("  from: \"-\"\n  read_as: q_m=parsec\n"), "motors.read_as");
   EXPECT_EQ(faultOf("  from: \"-\"\ncameras:\n  left: /dev/video0\n  calibration: .\n"), "cameras.right");
   EXPECT_EQ(faultOf("  form: \"-\"\n"), "motors.form");
+}
+
+TEST(LiveSetup, AFaultNamesTheLineOfTheSetUp) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder / "setup.yaml";
+  base::writeTextFile(folder / "bad.yaml", "name: bad\n");
+  const auto faultOf = [&](const std::string& text) {
+    base::writeTextFile(path, "title: mine\n" + text);
+    try {
+      liveSetupOf(path, {}, {});
+    } catch (const base::InputError& error) {
+      EXPECT_EQ(error.fault().file, path) << error.what();
+      return error.fault();
+    }
+    return base::InputFault{};
+  };
+  const std::string motors = "motors:\n  from: \"-\"\n", cameras = "cameras:\n  left: a\n  right: b\n";
+  EXPECT_EQ(faultOf(motors + "  signs: [1, 0.5, 1]\n").line, 4);
+  const base::InputFault missing = faultOf("robot: nowhere.yaml\n" + motors);
+  EXPECT_EQ(missing.line, 2);
+  EXPECT_EQ(missing.key, "robot");
+  EXPECT_THAT(missing.value, testing::HasSubstr("nowhere.yaml"));
+  EXPECT_THAT(missing.remedy, testing::HasSubstr("cannot be opened"));
+  const base::InputFault bad = faultOf(motors + "robot: bad.yaml\n");
+  EXPECT_EQ(bad.line, 4);
+  EXPECT_THAT(bad.remedy, testing::HasSubstr("bad.yaml:1: ")) << "the place in the robot file, too";
+  const base::InputFault calibration = faultOf(motors + cameras + "  calibration: nowhere\n");
+  EXPECT_EQ(calibration.line, 7);
+  EXPECT_EQ(calibration.key, "cameras.calibration");
+  const std::string rig = "  calibration: " + test::sourceFile("resources/cameras").string() + "\n";
+  EXPECT_EQ(faultOf(motors + cameras + rig + "  registration: nowhere.yaml\n").line, 8);
+  EXPECT_EQ(faultOf(motors + cameras + rig + "  marker: nowhere.yaml\n").key, "cameras.marker");
 }
 
 }  // namespace

@@ -32,6 +32,37 @@ TEST(GapCounter, CountsWhatIsMissingInASteadyStream) {
   EXPECT_EQ(gaps.missing(), withheld);
 }
 
+/// Stamps of a steady sender that is held up for up to `most` periods, twenty times a second, and that is
+/// interrupted again while it makes up for them.
+std::uint64_t missingOf(int most, bool own_even_stamps, int lost_rows) {
+  std::mt19937 random(5);
+  std::uniform_int_distribution<int> some(1, most);
+  GapCounter gaps;
+  double busy_until = 0.0;
+  for (int k = 0; k < 5000; ++k) {
+    const double due = 1e-3 * k;
+    if (k > 100 && k % 50 == 0) busy_until = std::max(busy_until, due + 1e-3 * some(random) + 0.4e-3);
+    if (k > 100 && k % 50 < lost_rows) continue;
+    const double sent = std::max(due, busy_until);
+    busy_until = sent + (k % 7 == 0 && sent > due ? 1.1e-3 : 2e-5);  // a row takes so long
+    gaps.add(own_even_stamps ? due : sent);
+  }
+  return gaps.missing();
+}
+
+TEST(GapCounter, RowsThatAreOnlyLateAreNotMissing) {
+  EXPECT_EQ(missingOf(9, true, 0), 0U) << "stamps k · 1 ms, whenever they come";
+  EXPECT_EQ(missingOf(9, false, 0), 0U) << "stamps of the clock, rows sent late, then those that were due";
+  EXPECT_EQ(missingOf(9, true, 3), 293U) << "three rows of each 50 never came";
+  EXPECT_EQ(missingOf(2, false, 5), 489U) << "late and lost";
+}
+
+/// Bursts of more rows than a block of the period's estimate: the period stays that of the sender.
+TEST(GapCounter, LongBurstsAreNoPeriod) {
+  EXPECT_EQ(missingOf(200, true, 0), 0U);
+  for (const int most : {40, 200}) EXPECT_LT(missingOf(most, false, 0), 250U) << "of 5000 rows";
+}
+
 TEST(Address, NamesStandardInputFilesAndPorts) {
   EXPECT_EQ(parseAddress("-", "--live").kind, Address::Kind::kStandardInput);
   EXPECT_EQ(parseAddress("rows.fifo", "--live").path, "rows.fifo");
@@ -89,6 +120,32 @@ TEST(RowParser, FaultsNameTheLineOfTheStream) {
     EXPECT_EQ(error.fault().line, 62);
     EXPECT_EQ(error.fault().value, "oops");
   }
+}
+
+/// What add() makes take() throw; an empty fault if it throws nothing.
+base::InputFault faultOf(RowParser& parser, const std::string& bytes) {
+  parser.add(bytes);
+  try {
+    EXPECT_FALSE(parser.take(false)) << "the first rows are held back";
+  } catch (const base::InputError& error) {
+    return error.fault();
+  }
+  return {};
+}
+
+TEST(RowParser, RefusesAWrongLineAtOnce) {
+  const robot::Description robot = robot::readDescriptionOrDefault({});
+  RowParser parser("rows", robot, {});
+  EXPECT_EQ(faultOf(parser, "GET / HTTP/1.1\r\n").key, "t");
+  parser.restart();
+  EXPECT_EQ(faultOf(parser, "t,q1,q2,q3\n").key, "q_m1") << "no motors";
+  parser.restart();
+  EXPECT_EQ(faultOf(parser, "t,q_m1,q_m2,q_").line, 0) << "an incomplete line may go on";
+  EXPECT_EQ(faultOf(parser, "m3\n").reason, "") << "a header without rows";
+  EXPECT_EQ(faultOf(parser, rowsFrom(0, 3)).reason, "");
+  const base::InputFault wrong = faultOf(parser, rowsFrom(3, 2) + "0.005,80,oops,-480\n");
+  EXPECT_EQ(wrong.line, 7);
+  EXPECT_EQ(wrong.value, "oops");
 }
 
 TEST(RowParser, RefusesALineWithoutAnEnd) {

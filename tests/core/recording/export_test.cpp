@@ -102,6 +102,7 @@ TEST(Export, PicturesAreThePixelsAndVideoHasEveryFrame) {
   int frames = 0;
   for (; video.read(frame); ++frames) EXPECT_EQ(frame.cols, 128);
   EXPECT_EQ(frames, 10);
+  EXPECT_NEAR(video.get(cv::CAP_PROP_FPS), 15.0, 1e-3) << "9 intervals between 10 frames";
   for (const char* other : {"a.avi", "a.mp4"})
     EXPECT_EQ(exportVideo(folder / "a.capstan", folder / other).frames, 10) << other;
   EXPECT_THROW(exportVideo(folder / "a.capstan", folder / "a.xyz"), base::InputError);

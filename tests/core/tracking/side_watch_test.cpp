@@ -32,6 +32,16 @@ TEST_F(SideWatchTest, SaysEachChangeOnce) {
   EXPECT_EQ(observe(State::kRefused), Sentences{"motors refused: line 7 is no row"});
 }
 
+TEST_F(SideWatchTest, SaysWhyNothingComes) {
+  EXPECT_EQ(observe(State::kWaiting), Sentences{});
+  side_.from = "ros:/arm", side_.fault = "nobody publishes /arm";
+  EXPECT_EQ(observe(State::kWaiting), Sentences{"motors: waiting at ros:/arm: nobody publishes /arm"});
+  EXPECT_EQ(observe(State::kWaiting), Sentences{}) << "once";
+  side_.fault.clear();
+  EXPECT_EQ(observe(State::kWaiting), Sentences{});
+  EXPECT_EQ(observe(State::kReceiving), Sentences{"motors receiving"});
+}
+
 TEST_F(SideWatchTest, SaysARefusalThatWasTooShortToBeSeen) {
   observe(State::kReceiving);
   side_.refused = 1, side_.fault = "line 7 is no row";
