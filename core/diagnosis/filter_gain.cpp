@@ -153,6 +153,17 @@ std::vector<const Evidence*> followed(const std::vector<Evidence>& recordings,
   return kept;
 }
 
+/// Warnings of joints whose estimates the extended robot makes worse.
+void noticeWorse(const std::vector<FilterGain>& joints, std::vector<std::string>& notices) {
+  constexpr double kWorse = 1.05;  // less is no reason against a robot
+  for (const FilterGain& one : joints)
+    if (one.extended > kWorse * one.refitted)
+      notices.push_back(fmt::format(
+          "The Kalman filter's error of {} is {:.0f} % larger with the causes than with the refit alone: "
+          "compare both on a trial before you use the extended robot",
+          one.joint, 100.0 * (one.extended / one.refitted - 1.0)));
+}
+
 }  // namespace
 
 FilterGainReport filterGain(const std::vector<Evidence>& recordings, const FilterRobots& robots,
@@ -182,6 +193,7 @@ FilterGainReport filterGain(const std::vector<Evidence>& recordings, const Filte
     const bool slides = robots.nominal.joints[j].type == robot::JointType::kPrismatic;
     report.joints.push_back({fmt::format("q{}", j + 1), slides ? "m" : "rad", rms(0), rms(1), rms(2)});
   }
+  noticeWorse(report.joints, report.notices);
   return report;
 }
 

@@ -29,7 +29,7 @@ struct FilterGainOptions {
 /// Result of filterGain().
 struct FilterGainReport {
   std::vector<FilterGain> joints;    ///< one entry per joint; empty: no recording can be used
-  std::vector<std::string> notices;  ///< excluded recordings, and the reasons
+  std::vector<std::string> notices;  ///< excluded recordings, and the reasons; estimates that become worse
   bool cancelled = false;
 };
 

@@ -142,10 +142,29 @@ TEST_F(Diagnosis, TheToleranceIsChangedInPlaceAndKept) {
 }
 
 TEST_F(Diagnosis, ARecordingIsPreselectedWhereNoneIsChosen) {
-  panel->preselect("/a/open.capstan");
-  EXPECT_EQ(panel->choice().recordings, QStringList{"/a/open.capstan"});
-  panel->preselect("/a/other.capstan");
-  EXPECT_EQ(panel->choice().recordings, QStringList{"/a/open.capstan"}) << "a choice stays";
+  panel->preselect("/a/open.csv", "/a/mine.yaml");
+  EXPECT_EQ(panel->choice().recordings, QStringList{"/a/open.csv"});
+  EXPECT_EQ(panel->choice().robot, "/a/mine.yaml");
+  panel->preselect("/a/other.capstan", "");
+  EXPECT_EQ(panel->choice().recordings, QStringList{"/a/other.capstan"}) << "the open one is diagnosed";
+  EXPECT_EQ(panel->choice().robot, "") << "with its own robot";
+  panel->showReport(sample(Verdict::kFound));
+  panel->preselect("/a/third.capstan", "");
+  EXPECT_EQ(panel->choice().recordings, QStringList{"/a/other.capstan"}) << "the report is of this one";
+  panel->choose({.recordings = {"/a/one.csv", "/a/two.csv"}});
+  panel->preselect("/a/third.capstan", "");
+  EXPECT_EQ(panel->choice().recordings.size(), 2) << "what the user has chosen stays";
+}
+
+TEST_F(Diagnosis, RecordingsOfAnEarlierSessionAreForgotten) {
+  panel->choose({.recordings = {"/a/one.csv"}, .robot = "/a/mine.yaml"});
+  const QTemporaryDir folder;
+  QSettings settings(folder.filePath("settings.ini"), QSettings::IniFormat);
+  panel->save(settings);
+  show(nullptr);
+  panel->restore(settings);
+  EXPECT_TRUE(panel->choice().recordings.isEmpty());
+  EXPECT_TRUE(panel->choice().robot.isEmpty());
 }
 
 /// About the room between the docks of a window of 1280 px.

@@ -47,7 +47,7 @@ void DiagnosisController::offerRecordings(SessionLink& link) {
             panel_.setSessionJoints(info.robot.size());
             if (!choice.isRecording()) return;
             panel_.offer(choice.file, tr("Open recording"));
-            panel_.preselect(choice.file);
+            panel_.preselect(choice.file, choice.robot);
           });
   connect(&link, &SessionLink::status, this, &DiagnosisController::onStatus);
 }

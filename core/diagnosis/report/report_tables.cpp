@@ -101,7 +101,9 @@ std::string movesText(const Cause& cause) {
     if (moves.joints[j].rms > kNamed * most)
       parts.push_back(
           one(fmt::format("joint {}", j + 1), moves.joints[j], moves.joints[j].slides ? "m" : "rad"));
-  if (moves.tip.largest > 0.0) parts.push_back(one("the tip", moves.tip, "m"));
+  const bool seen = cause.effect.starts_with("camera_");  // the arm itself does not move
+  if (moves.tip.largest > 0.0)
+    parts.push_back(one(seen ? "the tip in the cameras' view" : "the tip", moves.tip, "m"));
   return parts.empty() ? std::string("moves nothing in these recordings")
                        : fmt::format("moves {}", fmt::join(parts, ", "));
 }

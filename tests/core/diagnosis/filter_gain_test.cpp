@@ -209,6 +209,20 @@ TEST(FilterGain, SaysWhichRecordingsItCannotUse) {
   EXPECT_EQ(nominalOf(some), nominalOf(filterGain({plainEvidence()}, robots)));
 }
 
+TEST(FilterGain, WarnsOfARobotThatMakesAnEstimateWorse) {
+  const auto warnings = [](const robot::Description& extended) {
+    const FilterGainReport report =
+        filterGain({plainEvidence()}, {plain().robot, plain().robot, extended});
+    return std::ranges::count_if(report.notices, [](const std::string& notice) {
+      return notice.find("error of q1") != std::string::npos && notice.find("larger") != std::string::npos;
+    });
+  };
+  EXPECT_EQ(warnings(plain().robot), 0);
+  robot::Description worse = plain().robot;
+  worse.effects.push_back({"pulley_radius", 1, {{"share", 0.05}}});
+  EXPECT_EQ(warnings(worse), 1);
+}
+
 TEST(FilterGain, SaysWhichRobotsItCannotFollow) {
   const auto noticeFor = [](const robot::Description& robot) {
     const FilterGainReport report = filterGain({plainEvidence()}, threeTimes(robot));

@@ -133,6 +133,9 @@ TEST(ReportTables, WhatAnEffectMoves) {
   EXPECT_EQ(movesText(cause), joints) << "joint 1 moves by less than a tenth of joint 2";
   cause.moves.tip = {1e-3, 3e-3, true};
   EXPECT_EQ(movesText(cause), joints + ", the tip by 1.00 mm RMS (largest 3.00 mm)");
+  cause.moves.joints.clear();
+  cause.effect = "camera_latency";
+  EXPECT_EQ(movesText(cause), "moves the tip in the cameras' view by 1.00 mm RMS (largest 3.00 mm)");
 }
 
 TEST(ReportTables, ExplainableBesideRegressions) {

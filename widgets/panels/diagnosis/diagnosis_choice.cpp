@@ -12,15 +12,11 @@ void DiagnosisChoice::add(const QStringList& files) {
 }
 
 void DiagnosisChoice::save(QSettings& settings) const {
-  settings.setValue("diagnosis/recordings", recordings);
-  settings.setValue("diagnosis/robot", robot);
   settings.setValue("diagnosis/material", material);
 }
 
 DiagnosisChoice DiagnosisChoice::restore(const QSettings& settings) {
   DiagnosisChoice choice;
-  choice.recordings = settings.value("diagnosis/recordings").toStringList();
-  choice.robot = settings.value("diagnosis/robot").toString();
   choice.material = settings.value("diagnosis/material", choice.material).toString();
   return choice;
 }

@@ -11,7 +11,8 @@ class QSettings;
 
 namespace capstan::widgets {
 
-/// Input of a diagnosis; saved in the settings.
+/// Input of a diagnosis. The settings keep the tolerance only: recordings and robot of an earlier day would
+/// pass for those that are open now.
 struct DiagnosisChoice {
   QStringList recordings = {};  ///< recordings of one robot, or one table of tip poses: absolute paths
   QString robot = {};           ///< robot file; empty: the recordings' own, or the left RAVEN-II

@@ -113,10 +113,13 @@ void DiagnosisPanel::setTheme(const Theme& theme) {
 
 void DiagnosisPanel::offer(const QString& path, const QString& words) { picker_->offer(path, words); }
 
-void DiagnosisPanel::preselect(const QString& path) {
+void DiagnosisPanel::preselect(const QString& path, const QString& robot) {
   DiagnosisChoice chosen = choice();
-  if (busy() || !chosen.recordings.isEmpty()) return;
+  if (busy() || report() || chosen.recordings != preselected_) return;
+  chosen.recordings.clear();
   chosen.add({path});
+  chosen.robot = robot;
+  preselected_ = chosen.recordings;
   choose(chosen);
 }
 

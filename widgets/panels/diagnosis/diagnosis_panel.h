@@ -36,8 +36,9 @@ class DiagnosisPanel : public WorkPanel {
   void setTheme(const Theme& theme);
   /// Offers a complete recording of the session; `words`: text of the button that chooses it. Empty: none.
   void offer(const QString& path, const QString& words);
-  /// Chooses this recording, unless recordings are already chosen.
-  void preselect(const QString& path);
+  /// Chooses the recording that the window has opened, and its robot file (empty: its own), unless the user
+  /// has chosen others or a report of the former one is shown.
+  void preselect(const QString& path, const QString& robot);
   /// Sets the number of joints of the running session's robot, which the extended robot may replace; 0: no
   /// session.
   void setSessionJoints(int joints);
@@ -100,6 +101,7 @@ class DiagnosisPanel : public WorkPanel {
   QString failed_;      ///< error why there is no report; empty: none
   QString said_;
   int session_joints_ = 0;
+  QStringList preselected_;  ///< recording that preselect() has chosen
   bool user_split_ = false;
   RecordingPicker* picker_;
   ToleranceEdit* tolerance_;
