@@ -3,7 +3,6 @@
 
 #include <QComboBox>
 #include <QFile>
-#include <QSettings>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QToolButton>
@@ -241,21 +240,16 @@ TEST_F(Diagnosis, TheReportIsExportedFigureByFigure) {
   EXPECT_EQ(exported.count(), 1);
 }
 
-TEST_F(Diagnosis, TheChoiceIsKeptAndTheJustRecordedTakesItsPlace) {
-  const QTemporaryDir folder;
+TEST_F(Diagnosis, TheJustRecordedTakesThePlaceOfTheChoice) {
   auto* latest = panel->findChild<QToolButton*>("offered");
   EXPECT_FALSE(latest->isVisible());
   panel->choose({.recordings = {"/a/one.csv"}, .robot = "/a/mine.yaml"});
-  QSettings settings(folder.filePath("settings.ini"), QSettings::IniFormat);
-  panel->save(settings);
   panel->offer("/a/session.capstan", "Just recorded");
   ASSERT_TRUE(latest->isVisible());
   latest->click();
   EXPECT_EQ(panel->choice().recordings, QStringList{"/a/session.capstan"});
   EXPECT_EQ(panel->choice().robot, "/a/mine.yaml");
   EXPECT_FALSE(latest->isVisible()) << "it is chosen";
-  panel->restore(settings);
-  EXPECT_EQ(panel->choice().recordings, QStringList{"/a/one.csv"});
 }
 
 }  // namespace
