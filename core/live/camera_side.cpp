@@ -114,16 +114,18 @@ void CameraSide::waitForSession() const {
   while (!quit_ && !session_.at(Clock::now())) std::this_thread::sleep_for(kPeriod);
 }
 
-/// Waits until the session's clock has the time of an image of a file.
+/// Waits until the session's clock has the time of an image of a file, and a motor sample that of its
+/// exposure: the filter cannot use an image that is ahead of the motors. Silent motors hold it up by kSilent.
 CameraSide::Times CameraSide::waitUntilDue(double position) const {
-  constexpr std::chrono::duration<double> kLongest{0.02};  // the relation of the clocks may change
-  const double due = (session_.begin ? session_.begin() : 0.0) + position;
+  constexpr std::chrono::milliseconds kPeriod{2};
+  constexpr double kSilent = 0.25;  // [s]
+  const double due = (session_.begin ? session_.begin() : 0.0) + position, exposure = due - setup_.latency;
   Clock::time_point now = Clock::now();
   for (; !quit_; now = Clock::now()) {
     const std::optional<double> time = session_.at(now);
-    if (time && *time >= due) break;
-    std::this_thread::sleep_for(time ? std::min(kLongest, std::chrono::duration<double>(due - *time))
-                                     : kLongest);
+    const bool motors = !session_.newest || session_.newest() >= exposure;
+    if (time && *time >= std::max(due, exposure) && (motors || *time >= exposure + kSilent)) break;
+    std::this_thread::sleep_for(kPeriod);
   }
   return {0, now, due};
 }

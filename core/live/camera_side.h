@@ -40,6 +40,8 @@ class CameraSide {
     std::function<std::optional<double>(std::int64_t)> of_stamp;
     /// Time of the first sample; none: 0.
     std::function<double()> begin;
+    /// Time of the newest motor sample; none: that of the clock.
+    std::function<double()> newest;
   };
   /// A network stream may come later. Throws base::InputError where a device or file cannot be opened.
   CameraSide(const CamerasSetup& setup, SessionClock clock, SampleQueue& queue);

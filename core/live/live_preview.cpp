@@ -47,7 +47,7 @@ void LivePreview::work() {
         return std::chrono::duration<double>(at - begin).count();
       };
       auto cameras =
-          std::make_unique<CameraSide>(*setup_.cameras, CameraSide::SessionClock{since, {}, {}}, frames_);
+          std::make_unique<CameraSide>(*setup_.cameras, CameraSide::SessionClock{since, {}, {}, {}}, frames_);
       const std::lock_guard lock(mutex_);
       cameras_ = std::move(cameras);
     });

@@ -48,7 +48,8 @@ LiveSource::LiveSource(const LiveSetup& setup) : setup_(setup.motors), queue_(kC
         *setup.cameras,
         CameraSide::SessionClock{[this](CameraSide::Clock::time_point at) { return rows_->sessionTime(at); },
                                  [this](std::int64_t stamp) { return rows_->sessionTimeOfStamp(stamp); },
-                                 [this] { return rows_->sessionBegin(); }},
+                                 [this] { return rows_->sessionBegin(); },
+                                 [this] { return rows_->newestTime(); }},
         queue_);
   if (setup.commands) {
     commander_ = std::make_shared<JointCommander>(*setup.commands, info_.robot);

@@ -53,6 +53,11 @@ double RowSide::sessionBegin() const {
   return begin_;
 }
 
+double RowSide::newestTime() const {
+  const std::lock_guard lock(mutex_);
+  return newest_;
+}
+
 std::optional<double> RowSide::sessionTimeOfStamp(std::int64_t stamp) const {
   const std::lock_guard lock(mutex_);
   if (!ros_stamp_of_begin_ || clock_steps_ > 0) return {};
@@ -180,6 +185,7 @@ void RowSide::deliver(recording::MeasuredTable table, double arrival) {
     gaps_.add(t);
   }
   if (status_.received == 0) begin_ = table.t.front();
+  newest_ = table.t.back();
   status_.state = State::kReceiving;
   status_.received += table.rows();
   status_.dropped += dropped;

@@ -46,6 +46,8 @@ class RowSide {
   std::optional<double> sessionTime(std::chrono::steady_clock::time_point at) const;
   /// Time of the first row on the session's clock [s]; 0 before it.
   double sessionBegin() const;
+  /// Time of the newest row on the session's clock [s]; 0 before the first one.
+  double newestTime() const;
   /// Time on the session's clock of a stamp of the ROS clock [ns]; nothing where the rows have no such
   /// stamps, or their clock has stepped.
   std::optional<double> sessionTimeOfStamp(std::int64_t stamp) const;
@@ -78,7 +80,7 @@ class RowSide {
   tracking::SideStatus status_;
   GapCounter gaps_;                                 ///< in the session's times
   ClockMap clock_;                                  ///< from the session's clock to this computer's
-  double begin_ = 0.0;                              ///< time of the first row [s]
+  double begin_ = 0.0, newest_ = 0.0;               ///< time of the first and the newest row [s]
   std::uint64_t clock_steps_ = 0;                   ///< of times_ that clock_ knows
   double last_arrival_ = 0.0;                       ///< [s] after start_
   std::optional<std::int64_t> ros_stamp_of_begin_;  ///< of time 0 of the session [ns]

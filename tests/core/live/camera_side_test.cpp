@@ -188,7 +188,7 @@ TEST_F(CameraSideOfAVideo, GivesPairsAtTheVideosRate) {
   const auto since = [&](CameraSide::Clock::time_point at) -> std::optional<double> {
     return std::chrono::duration<double>(at - start).count();
   };
-  CameraSide cameras(setup(), {since, {}, {}}, queue);
+  CameraSide cameras(setup(), {since, {}, {}, {}}, queue);
   for (int k = 0; k < kFrames; ++k) {
     ASSERT_TRUE(queue.ready(2s)) << k;
     tracking::Sample sample;
@@ -211,7 +211,7 @@ TEST_F(CameraSideOfAVideo, BeginsWithTheSession) {
   std::atomic<bool> begun = false;
   CameraSide cameras(
       setup(),
-      {[&](CameraSide::Clock::time_point) { return begun ? std::optional(1.0) : std::nullopt; }, {}, {}},
+      {[&](CameraSide::Clock::time_point) { return begun ? std::optional(1.0) : std::nullopt; }, {}, {}, {}},
       queue);
   EXPECT_FALSE(queue.ready(300ms));
   EXPECT_EQ(cameras.status().received, 0U);
@@ -230,12 +230,52 @@ TEST_F(CameraSideOfAVideo, TimesAreThoseOfTheFileAfterTheFirstSample) {
   const auto since = [&](CameraSide::Clock::time_point at) -> std::optional<double> {
     return kBegin + kAhead + std::chrono::duration<double>(at - start).count();
   };
-  CameraSide cameras(setup(), {since, {}, [] { return kBegin; }}, queue);
+  CameraSide cameras(setup(), {since, {}, [] { return kBegin; }, {}}, queue);
   for (int k = 0; k < 10; ++k) {
     ASSERT_TRUE(queue.ready(2s)) << k;
     tracking::Sample sample;
     queue.take(sample);
     EXPECT_NEAR(std::get<tracking::StereoFrame>(sample).t, kBegin + k / 30.0 - 0.02, 1e-3) << k;
+  }
+}
+
+TEST_F(CameraSideOfAVideo, NoImageComesBeforeItsExposure) {
+  SampleQueue queue(1000, kFrames);
+  const auto start = CameraSide::Clock::now();
+  const auto since = [&](CameraSide::Clock::time_point at) -> std::optional<double> {
+    return std::chrono::duration<double>(at - start).count();
+  };
+  CamerasSetup later = setup();
+  later.latency = -0.2;  // the file begins 0.2 s after the rows
+  CameraSide cameras(later, {since, {}, {}, {}}, queue);
+  for (int k = 0; k < 5; ++k) {
+    ASSERT_TRUE(queue.ready(2s)) << k;
+    tracking::Sample sample;
+    queue.take(sample);
+    const auto& frame = std::get<tracking::StereoFrame>(sample);
+    EXPECT_NEAR(frame.t, 0.2 + k / 30.0, 1e-3) << k;
+    EXPECT_GE(frame.t_arrival, frame.t) << k;
+  }
+}
+
+/// Rows come in portions: the clock is ahead of the newest one.
+TEST_F(CameraSideOfAVideo, NoImageComesBeforeTheMotorsOfItsExposure) {
+  SampleQueue queue(1000, kFrames);
+  const auto start = CameraSide::Clock::now();
+  const auto now = [&] { return std::chrono::duration<double>(CameraSide::Clock::now() - start).count(); };
+  const auto since = [&](CameraSide::Clock::time_point at) -> std::optional<double> {
+    return std::chrono::duration<double>(at - start).count();
+  };
+  const auto newest = [&] { return 0.1 * std::floor(10.0 * now()); };
+  CamerasSetup exact = setup();
+  exact.latency = 0.0;
+  CameraSide cameras(exact, {since, {}, {}, newest}, queue);
+  for (int k = 0; k < 12; ++k) {
+    ASSERT_TRUE(queue.ready(2s)) << k;
+    tracking::Sample sample;
+    queue.take(sample);
+    const auto& frame = std::get<tracking::StereoFrame>(sample);
+    EXPECT_GE(std::floor(10.0 * frame.t_arrival + 1e-6), 10.0 * frame.t - 1e-6) << k;
   }
 }
 
@@ -252,6 +292,7 @@ class NetworkCameras : public ::testing::Test {
         CameraSide::SessionClock{[start](CameraSide::Clock::time_point t) -> std::optional<double> {
                                    return std::chrono::duration<double>(t - start).count();
                                  },
+                                 {},
                                  {},
                                  {}},
         queue_);

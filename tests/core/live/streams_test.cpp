@@ -8,60 +8,12 @@
 #include "core/base/error.h"
 #include "core/live/play_faults.h"
 #include "core/live/streams/address.h"
-#include "core/live/streams/gap_counter.h"
 #include "core/live/streams/igtl_message.h"
 #include "core/live/streams/row_parser.h"
 #include "core/live/streams/row_times.h"
 
 namespace capstan::live {
 namespace {
-
-TEST(GapCounter, CountsWhatIsMissingInASteadyStream) {
-  std::mt19937 random(3);
-  std::uniform_real_distribution<double> jitter(-5e-5, 5e-5);
-  GapCounter gaps;
-  std::uint64_t withheld = 0;
-  for (int k = 0; k < 5000; ++k) {
-    const bool counted = k > 100;  // the period is known
-    if (counted && (k % 50 == 0 || (k % 500) / 3 == 60)) {
-      ++withheld;
-      continue;
-    }
-    gaps.add(1e-3 * k + jitter(random) + (k > 3010 ? 2.0 : 0.0));  // and one silence of 2 s
-  }
-  EXPECT_EQ(gaps.missing(), withheld);
-}
-
-/// Stamps of a steady sender that is held up for up to `most` periods, twenty times a second, and that is
-/// interrupted again while it makes up for them.
-std::uint64_t missingOf(int most, bool own_even_stamps, int lost_rows) {
-  std::mt19937 random(5);
-  std::uniform_int_distribution<int> some(1, most);
-  GapCounter gaps;
-  double busy_until = 0.0;
-  for (int k = 0; k < 5000; ++k) {
-    const double due = 1e-3 * k;
-    if (k > 100 && k % 50 == 0) busy_until = std::max(busy_until, due + 1e-3 * some(random) + 0.4e-3);
-    if (k > 100 && k % 50 < lost_rows) continue;
-    const double sent = std::max(due, busy_until);
-    busy_until = sent + (k % 7 == 0 && sent > due ? 1.1e-3 : 2e-5);  // a row takes so long
-    gaps.add(own_even_stamps ? due : sent);
-  }
-  return gaps.missing();
-}
-
-TEST(GapCounter, RowsThatAreOnlyLateAreNotMissing) {
-  EXPECT_EQ(missingOf(9, true, 0), 0U) << "stamps k · 1 ms, whenever they come";
-  EXPECT_EQ(missingOf(9, false, 0), 0U) << "stamps of the clock, rows sent late, then those that were due";
-  EXPECT_EQ(missingOf(9, true, 3), 293U) << "three rows of each 50 never came";
-  EXPECT_EQ(missingOf(2, false, 5), 489U) << "late and lost";
-}
-
-/// Bursts of more rows than a block of the period's estimate: the period stays that of the sender.
-TEST(GapCounter, LongBurstsAreNoPeriod) {
-  EXPECT_EQ(missingOf(200, true, 0), 0U);
-  for (const int most : {40, 200}) EXPECT_LT(missingOf(most, false, 0), 250U) << "of 5000 rows";
-}
 
 TEST(Address, NamesStandardInputFilesAndPorts) {
   EXPECT_EQ(parseAddress("-", "--live").kind, Address::Kind::kStandardInput);
