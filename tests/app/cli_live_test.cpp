@@ -101,6 +101,18 @@ TEST_F(CliLive, AFaultOnStandardInputNamesItsLine) {
   EXPECT_NE(faulty.err.find("standard input:1500: q_m1 = oops"), std::string::npos) << faulty.err;
 }
 
+TEST_F(CliLive, AMissingRegistrationNamesTheKeyOfTheSetUp) {
+  const std::string table = makeTable();
+  std::ofstream(path("live.yaml")) << "title: x\nmotors:\n  from: \"-\"\ncameras:\n"
+                                   << "  left: http://127.0.0.1:1/both\n  layout: side_by_side\n"
+                                   << "  calibration: " << test::resourceFile("cameras").string() << "\n";
+  const Ran live = run("track --live " + path("live.yaml") + " <" + table);
+  EXPECT_EQ(live.exit, 0) << live.err;
+  EXPECT_NE(live.err.find("the live set-up names no registration"), std::string::npos) << live.err;
+  EXPECT_NE(live.err.find("`registration:`"), std::string::npos) << live.err;
+  EXPECT_EQ(live.err.find("stored with this recording"), std::string::npos) << live.err;
+}
+
 /// `play` is the robot of another process; it waits until the port is open.
 TEST_F(CliLive, ARobotOverTcpIsRecorded) {
   const std::string table = makeTable();

@@ -203,6 +203,29 @@ TEST_F(CliRos, ABagOfOursThatRosbagPlaysIsTrackedLive) {
     ASSERT_NEAR(played[0][k] - played[0][0], stored[0][k] - stored[0][0], 1e-8) << k;
 }
 
+/// A wrong topic is answered with the nearest one; playing begins though nobody takes the images.
+TEST_F(CliRos, MotorsAloneAreEnoughToPlayAndAWrongTopicIsNamed) {
+  if (lacks("rosmaster")) GTEST_SKIP() << "ROS 1 is not installed";
+  ASSERT_EQ(run("simulate --duration 4 --out " + path("trial.capstan")).exit, 0);
+  const std::string motors = "title: x\nmotors:\n  from: ros:/arm/";
+  std::ofstream(path("wrong.yaml")) << motors << "actuator/measured_js\n";
+  std::ofstream(path("right.yaml")) << motors << "actuators/measured_js\n";
+  const std::string port = std::to_string(20000 + getpid() % 20000), program = test::commandLineProgram();
+  runShell("export ROS_HOSTNAME=localhost ROS_MASTER_URI=http://localhost:" + port +
+           "; (rosmaster --core -p " + port + " & master=$!; sleep 2; " + program + " play " +
+           path("trial.capstan") + " --to ros 2>" + path("play.txt") +
+           " & playing=$!; sleep 2; timeout -s INT 20 " + program + " track --live " + path("wrong.yaml") +
+           " 2>" + path("wrong.txt") + "; timeout 30 " + program + " track --live " + path("right.yaml") +
+           " --duration 2 --json " + path("live.json") + "; kill $playing; kill $master; wait) >/dev/null");
+  EXPECT_NE(textOf("wrong.txt").find("the nearest topic with motors is /arm/actuators/measured_js"),
+            std::string::npos)
+      << textOf("wrong.txt");
+  EXPECT_NE(textOf("play.txt").find("nobody has subscribed to both images"), std::string::npos)
+      << textOf("play.txt");
+  ASSERT_TRUE(fs::exists(path("live.json"))) << textOf("play.txt");
+  EXPECT_GT(json::parse(textOf("live.json"))["live"][0]["received"], 500);
+}
+
 TEST_F(CliRos, WithoutAMasterPlayingIsRefused) {
   if (lacks("rosmaster")) GTEST_SKIP() << "ROS 1 is not installed";
   ASSERT_EQ(run("simulate --no-images --duration 1 --out " + path("a.capstan")).exit, 0);
