@@ -24,7 +24,7 @@ class TopicHint;
 /// Reads the images of one or two streams, or ROS topics, on threads of their own, pairs them, and puts the
 /// pairs into a queue. A pair with an image that equals the one before is excluded, and counted as frozen. A
 /// stream that ends or falls silent is opened again. A video file begins with the session: the time of an
-/// image is its time in the file after the session's first sample, and it comes as soon as that time is over.
+/// image is its time in the file after the session's first sample. It comes after the motors of that time.
 /// Images of ROS topics are paired by their stamps, whose clock is then mapped to that of this computer
 /// (ClockMap); others are paired by the times at which their driver had them, or at which they arrived. A
 /// reader that is behind drops images; their pairs are counted as dropped.

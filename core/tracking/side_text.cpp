@@ -11,12 +11,11 @@ std::string counted(std::uint64_t count, const std::string& one) {
   return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
 }
 
-/// Whether nothing has come since the begin, for a reason that is known.
-bool neverCame(const SideStatus& side) {
-  return side.received == 0 && side.refused == 0 && !side.fault.empty();
-}
-
 }  // namespace
+
+bool waitsForAReason(const SideStatus& side) {
+  return side.state == State::kWaiting && side.received == 0 && side.refused == 0 && !side.fault.empty();
+}
 
 bool needsAttention(const SideStatus& side) {
   return side.state == State::kSilent || side.state == State::kFrozen || side.state == State::kRefused ||
@@ -28,7 +27,7 @@ std::string shortTextOf(const SideStatus& side) {
     case State::kWaiting:
       if (side.connected) return fmt::format("{}: connected at {}, no valid row yet", side.name, side.from);
       return fmt::format("{}: waiting at {}{}", side.name, side.from,
-                         neverCame(side) ? ": " + side.fault : std::string());
+                         waitsForAReason(side) ? ": " + side.fault : std::string());
     case State::kSilent:
     case State::kFrozen:
       return fmt::format("{} {} for {:.1f} s", side.part.empty() ? side.name : side.part + " camera",

@@ -36,8 +36,7 @@ std::vector<std::string> SideWatch::observe(const std::vector<SideStatus>& sides
     if (side.refused > seen.refused && (side.state != State::kRefused || seen.state == State::kRefused) &&
         !again)
       sentences.push_back(fmt::format("{} refused: {}", side.name, side.fault));
-    const bool new_reason = side.state == State::kWaiting && side.received == 0 && side.refused == 0 &&
-                            !side.fault.empty() && side.fault != seen.fault;
+    const bool new_reason = waitsForAReason(side) && side.fault != seen.fault;
     if (side.state != seen.state || side.part != seen.part || new_reason)
       sentences.push_back(sentenceOf(side, seen.received > 0 ? seen.silent_for : 0.0));
     if (side.clock && side.clock->steps > seen.steps)
