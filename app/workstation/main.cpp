@@ -2,6 +2,7 @@
 #include <QDockWidget>
 #include <QPainter>
 #include <QScreen>
+#include <QTemporaryDir>
 #include <QTimer>
 #include <cstdio>
 #include <cstdlib>
@@ -98,7 +99,8 @@ int run(int argc, char** argv) {
   QApplication application(argc, argv);
   capstan::workstation::closeOnSignals(application);
   const bool image = !arguments.image.empty();
-  capstan::widgets::MainWindow window(image ? QString("/dev/null") : QString());
+  const QTemporaryDir own;  // a screenshot neither reads nor changes what the user chose
+  capstan::widgets::MainWindow window(image ? own.filePath("settings.ini") : QString());
   if (!arguments.theme.empty()) window.setThemeNamed(QString::fromStdString(arguments.theme));
   if (!arguments.monitor_feed.empty())
     window.monitor().startFeed(QString::fromStdString(arguments.monitor_feed));

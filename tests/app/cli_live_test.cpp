@@ -214,6 +214,7 @@ TEST_F(CliLive, ExchangedCamerasAreNamed) {
 }
 
 TEST_F(CliLive, BadAddressesAndFaultsAreRefused) {
+  write("nothing", "");
   for (const auto& [arguments, words] :
        {std::pair{"track --live tcp://robot:5555", "no IPv4 address"},
         {"track --live tcp://127.0.0.1:5555 trial.csv", "together with FILE"},
@@ -229,7 +230,7 @@ TEST_F(CliLive, BadAddressesAndFaultsAreRefused) {
         {"play trial.csv --to tcp://127.0.0.1:5555 --video-fault swap:1@1", "needs --video"},
         {"play trial.csv --video http://127.0.0.1:8081 --fault drop:0.1", "needs --to"},
         {"record --live - --out trial.csv", "does not end in .capstan"}}) {
-    const Ran ran = run(arguments, "</dev/null ");
+    const Ran ran = run(arguments, "<" + path("nothing") + " ");
     EXPECT_EQ(ran.exit, 2) << arguments;
     EXPECT_NE(ran.err.find(words), std::string::npos) << arguments << ": " << ran.err;
   }
