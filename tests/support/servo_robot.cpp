@@ -1,8 +1,9 @@
 /// servo_robot LOG: a robot of the RAVEN-II's kind as a ROS node, for tests of commands. It publishes its
 /// motors
-/// (/arm/actuators/measured_js) and all six of its joints (/arm/measured_js) every millisecond, and follows
-/// /arm/servo_jp with a lag. Its joints count otherwise than the robot file's: q_robot = sign q + offset.
-/// Every command that arrives becomes a line of LOG: time of the monotonic clock [s], then the positions.
+/// (/arm/actuators/measured_js) and all six of its joints (/arm/measured_js) every millisecond, follows the
+/// set-points of /arm/servo_jp with a lag, and goes to the goals of /arm/move_jp at a speed of its own. Its
+/// joints count otherwise than the robot file's: q_robot = sign q + offset. Every command that arrives
+/// becomes a line of LOG: time of the monotonic clock [s], then the positions.
 #include <sys/prctl.h>
 
 #include <chrono>
@@ -29,27 +30,34 @@ class ServoRobot {
   [[noreturn]] void run() {
     constexpr std::chrono::milliseconds kNow{0}, kPeriod{1};
     for (Clock::time_point due = Clock::now();; std::this_thread::sleep_until(due += kPeriod)) {
-      while (const auto message = commands_.next(kNow)) obey(*message);
+      while (const auto message = set_points_.next(kNow))
+        if (obey(*message)) commanded_ = goal_;
+      while (const auto message = goals_.next(kNow)) obey(*message);
+      const Eigen::Vector3d reach = kPeriod.count() * 1e-3 * kSpeed;
+      commanded_ += (goal_ - commanded_).cwiseMax(-reach).cwiseMin(reach);
       q_ += kPeriod.count() * 1e-3 / kLag * (commanded_ - q_);
       publish();
     }
   }
 
  private:
-  static constexpr double kLag = 0.02;  // [s]
+  static constexpr double kLag = 0.02;                         // [s]
+  inline static const Eigen::Vector3d kSpeed{0.5, 0.5, 0.05};  // towards a goal [rad/s, m/s]
 
-  void obey(const ros1::TopicMessage& message) {
+  /// Takes the goal of a message; false: it has another number of joints.
+  bool obey(const ros1::TopicMessage& message) {
     const auto command = ros1::decode<ros1::JointState>(message.bytes);
     std::fprintf(log_, "%.6f", std::chrono::duration<double>(message.arrival.time_since_epoch()).count());
     for (const double position : command.position) std::fprintf(log_, " %.9f", position);
     std::fprintf(log_, "\n");
     std::fflush(log_);
-    if (command.position.size() != testing::kServoNames.size()) return;
+    if (command.position.size() != testing::kServoNames.size()) return false;
     for (int k = 0; k < 3; ++k) {
       const auto joint = static_cast<std::size_t>(k);
-      commanded_[k] = (command.position[testing::kServoPlaces[joint]] - testing::kServoOffsets[joint]) /
-                      testing::kServoSigns[joint];
+      goal_[k] = (command.position[testing::kServoPlaces[joint]] - testing::kServoOffsets[joint]) /
+                 testing::kServoSigns[joint];
     }
+    return true;
   }
 
   void publish() {
@@ -70,8 +78,8 @@ class ServoRobot {
 
   std::FILE* const log_;
   const robot::Transmission transmission_;
-  Eigen::Vector3d q_ = testing::kServoStart, commanded_ = q_;
-  ros1::TopicReader commands_{"/arm/servo_jp", 1000};
+  Eigen::Vector3d q_ = testing::kServoStart, commanded_ = q_, goal_ = q_;
+  ros1::TopicReader set_points_{"/arm/servo_jp", 1000}, goals_{"/arm/move_jp", 1000};
   ros1::TopicWriter motors_{"/arm/actuators/measured_js", ros1::typeOf<ros1::JointState>()};
   ros1::TopicWriter joints_{"/arm/measured_js", ros1::typeOf<ros1::JointState>()};
 };

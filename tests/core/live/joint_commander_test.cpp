@@ -296,6 +296,25 @@ TEST_F(CommandedRobot, GetsNothingAfterTheSession) {
   ASSERT_NO_FATAL_FAILURE(expectSilenceAfter(ended));
 }
 
+class DrivenByGoals : public CommandedRobot {
+  void change(LiveSetup& setup) override {
+    setup.commands->move_jp = "/arm/move_jp";
+    setup.commands->servo_jp.clear();
+  }
+};
+
+TEST_F(DrivenByGoals, GetsTwentyASecondAndComesToRestAtTheHardStop) {
+  ASSERT_NO_FATAL_FAILURE(arm());
+  ASSERT_NO_FATAL_FAILURE(drive(500ms));
+  commander_->release();
+  ASSERT_NO_FATAL_FAILURE(expectSilenceAfter(now()));
+  EXPECT_LE(commands().size(), 1 + static_cast<std::size_t>(held_seconds_ / 0.05));
+  ASSERT_NO_FATAL_FAILURE(arm());
+  ASSERT_NO_FATAL_FAILURE(drive(60s));
+  EXPECT_EQ(commander_->status().reason, "the arm is at the hard stop");
+  EXPECT_EQ(commander_->status().topic, "/arm/move_jp");
+}
+
 class WrongSign : public CommandedRobot {
   void change(LiveSetup& setup) override { setup.commands->signs[1] = 1.0; }
 };
