@@ -302,7 +302,7 @@ Table processTable(const ResidualProcess& process) {
       continue;
     }
     const bool has_length = one.kind != VariableKind::kDirection;
-    table.rows.push_back({one.name, fmt::format("{:.1f} ± {:.1f}", 100.0 * one.relevance, 100.0 * one.sigma),
+    table.rows.push_back({one.name, shownNumber(one.relevance, one.sigma, ShownUnit{100.0, {}}),
                           has_length ? shownNumber(one.length, 0.0, one.unit) : std::string()});
   }
   table.note =
