@@ -73,7 +73,7 @@ Displacements movesOf(int joint, double rms, double tip) {
 Cause backlash(const Report& report, double probability) {
   return {.effect = "backlash",
           .joint = 2,
-          .parameters = {{"half_width", "m", 0.93e-3, 0.03e-3}},
+          .parameters = {{"half_width", "m", 0.93e-3, 0.03e-3, 1.0 / 0.062}},
           .probability = probability,
           .loss = 412.0,
           .moves = movesOf(2, 15e-3, 3.1e-3),

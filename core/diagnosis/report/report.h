@@ -27,6 +27,8 @@ enum class Verdict {
 struct FoundParameter {
   std::string name, unit;
   double value = 0.0, sigma = 0.0;  ///< estimate and its standard deviation, SI
+  /// For a length of the cable of a revolute joint: rotation of the joint per length, 1 / r_l [rad/m]; else 0.
+  double joint_per_length = 0.0;
 };
 
 /// Reduction of one channel's RMS residual by a cause, on held-out data.

@@ -174,9 +174,14 @@ json filterJson(const FilterGain& gain) {
 
 json jsonOf(const Cause& cause) {
   json parameters = json::object();
-  for (const FoundParameter& parameter : cause.parameters)
-    parameters[parameter.name] = {
-        {"value", number(parameter.value)}, {"sigma", number(parameter.sigma)}, {"unit", parameter.unit}};
+  for (const FoundParameter& parameter : cause.parameters) {
+    json& one = parameters[parameter.name];
+    one = {{"value", number(parameter.value)}, {"sigma", number(parameter.sigma)}, {"unit", parameter.unit}};
+    if (const double scale = parameter.joint_per_length; scale != 0.0)
+      one["at_joint"] = {{"value", number(scale * parameter.value)},
+                         {"sigma", number(scale * parameter.sigma)},
+                         {"unit", "rad"}};
+  }
   return {{"effect", cause.effect},      {"joint", cause.joint},
           {"parameters", parameters},    {"probability", number(cause.probability)},
           {"loss", number(cause.loss)},  {"moves", movesJson(cause.moves)},

@@ -29,7 +29,10 @@ bool isShare(const FoundParameter& parameter) {
 std::string shownValue(const FoundParameter& parameter) {
   if (isShare(parameter)) return shownNumber(parameter.value, parameter.sigma, {100.0, "%"});
   if (isCount(parameter)) return fmt::format("{:.0f}", parameter.value);
-  return shownNumber(parameter.value, parameter.sigma, parameter.unit);
+  std::string shown = shownNumber(parameter.value, parameter.sigma, parameter.unit);
+  if (const double scale = parameter.joint_per_length; scale != 0.0)
+    shown += " of cable (" + shownNumber(scale * parameter.value, scale * parameter.sigma, "rad") + " at the joint)";
+  return shown;
 }
 
 std::string shownName(std::string_view parameter) {

@@ -15,7 +15,8 @@ using base::shownUnit;
 /// Parameter with its name, "half width 0.420 ± 0.031 mm". Shares are in "%"; joint numbers and yes/no values
 /// (1 or 0) have no unit.
 std::string shownParameter(const FoundParameter& parameter);
-/// The same without the name: "0.420 ± 0.031 mm".
+/// The same without the name: "0.420 ± 0.031 mm"; of a revolute joint's cable "0.420 ± 0.031 mm of cable (0.408
+/// ± 0.030 deg at the joint)".
 std::string shownValue(const FoundParameter& parameter);
 /// Name of a parameter in words: "half width".
 std::string shownName(std::string_view parameter);

@@ -32,6 +32,14 @@ std::string unitAt(std::string_view unit, int joint, const robot::Description& r
   return std::string(slides ? unit.substr(at + kOr.size()) : unit.substr(0, at));
 }
 
+/// FoundParameter::joint_per_length of a parameter. Effects of a cable drive with a unit of length are lengths
+/// of the joint's cable.
+double jointPerLength(std::string_view unit, const EffectTerm& term, const robot::Description& robot) {
+  if (unit != "m" || term.joint == 0 || robot.drive != robot::DriveType::kCable) return 0.0;
+  const auto j = static_cast<std::size_t>(term.joint - 1);
+  return robot.joints[j].type == robot::JointType::kPrismatic ? 0.0 : 1.0 / robot.drives[j].link_radius;
+}
+
 std::vector<FoundParameter> parametersOf(const FitModel& model, std::size_t effect, const Eigen::VectorXd& u,
                                          const Eigen::MatrixXd& covariance) {
   const EffectTerm& term = model.effects()[effect];
@@ -48,8 +56,8 @@ std::vector<FoundParameter> parametersOf(const FitModel& model, std::size_t effe
           model.parameters()[static_cast<std::size_t>(at)].valueSigma(u[at], std::sqrt(covariance(at, at)));
     if (sigma > 0.0 && !isEventTime(number)) sigma = withLawError(sigma, values[i]);
     if (neutral[i] == 0.0) sigma = std::hypot(sigma, 0.5 * background);  // a background effect
-    found.push_back(
-        {std::string(number.name), unitAt(number.unit, term.joint, model.nominal()), values[i], sigma});
+    found.push_back({std::string(number.name), unitAt(number.unit, term.joint, model.nominal()), values[i],
+                     sigma, jointPerLength(number.unit, term, model.nominal())});
   }
   return found;
 }

@@ -40,6 +40,12 @@ TEST(ShownNumbers, ParametersWithoutAUnitAreSharesUnlessTheyCount) {
   EXPECT_EQ(shownParameter({"present", "", 1.0, 0.0}), "present 1");
 }
 
+// A play of 0.9 mm on a radius of 60 mm: 0.015 rad = 0.859 deg, by hand.
+TEST(ShownNumbers, LengthsOfCableAreAlsoRotationsOfTheJoint) {
+  EXPECT_EQ(shownParameter({"half_width", "m", 0.9e-3, 0.05e-3, 1.0 / 0.06}),
+            "half width 0.900 ± 0.050 mm of cable (0.859 ± 0.048 deg at the joint)");
+}
+
 TEST(ShownNumbers, JointZeroIsTheArmOrTheCameras) {
   EXPECT_EQ(shownJoint("backlash", 2), "joint 2");
   EXPECT_EQ(shownJoint("payload", 0), "whole arm");
