@@ -62,7 +62,7 @@ std::string causeHtml(const Cause& cause) {
                      "</h3>\n";
   std::string size;
   for (const diagnosis::FoundParameter& parameter : cause.parameters)
-    size += (size.empty() ? "" : ", ") + diagnosis::shownParameter(parameter);
+    size += (size.empty() ? "" : ", ") + diagnosis::shownParameter(cause.effect, parameter);
   html += paragraph(size, "size");
   html += "<dl>\n" + term("Probability", fmt::format("{:.0f} %", 100.0 * cause.probability));
   if (!cause.moves.joints.empty()) html += term("Displacement", diagnosis::movesText(cause));

@@ -69,7 +69,7 @@ std::string titleOf(std::string_view effect) {
 std::string causeText(const Cause& cause) {
   std::string text = titleOf(cause.effect) + ", " + shownJoint(cause.effect, cause.joint);
   for (const FoundParameter& parameter : cause.parameters)
-    text += (&parameter == &cause.parameters.front() ? ": " : ", ") + shownParameter(parameter);
+    text += (&parameter == &cause.parameters.front() ? ": " : ", ") + shownParameter(cause.effect, parameter);
   return text;
 }
 
@@ -242,7 +242,7 @@ Table explainableTable(const Report& report) {
                    number("with effects", "", 3, NumberStyle::kSignificant),
                    number("least squares", "", 3, NumberStyle::kSignificant),
                    number("Gaussian process", "", 3, NumberStyle::kSignificant),
-                   number("explained", "%", 0, NumberStyle::kFixed),
+                   number("explained", "% of the explainable", 0, NumberStyle::kFixed),
                    text("the better regression")};
   for (const Explainable& one : report.explainable) {
     const ShownUnit unit = shownUnit(one.unit);
@@ -251,7 +251,8 @@ Table explainableTable(const Report& report) {
                           100.0 * one.share, one.leans_on});
   }
   table.note =
-      "Explained: share of what can be explained from these signals. Least squares: on at most seven "
+      "Explained: reduction of the mean square by the effects, divided by the reduction by the better "
+      "regression. Least squares: on at most seven "
       "measured columns.";
   return table;
 }
@@ -294,7 +295,7 @@ Table lineTable(const Report& report) {
 Table processTable(const ResidualProcess& process) {
   Table table;
   table.title = "What the residual of " + process.channel + " depends on";
-  table.columns = {text("variable"), text("share of the variance [%]"), text("changes over")};
+  table.columns = {text("variable"), text("share of the residual's variance [%]"), text("changes over")};
   std::size_t excluded = 0;
   for (const ProcessVariable& one : process.variables) {
     if (!table.rows.empty() && one.relevance < kWeakly) {

@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <numbers>
+
+#include "core/robot/effects.h"
 
 namespace capstan::diagnosis {
 namespace {
@@ -34,15 +37,28 @@ TEST(ShownNumbers, AValueAndItsSigmaHaveOneFormat) {
 }
 
 TEST(ShownNumbers, ParametersWithoutAUnitAreSharesUnlessTheyCount) {
-  EXPECT_EQ(shownParameter({"half_width", "m", 0.9e-3, 0.05e-3}), "half width 0.900 ± 0.050 mm");
-  EXPECT_EQ(shownParameter({"share", "", 0.021, 0.0004}), "share 2.100 ± 0.040 %");
-  EXPECT_EQ(shownParameter({"other", "", 1.0, 0.0}), "other 1");
-  EXPECT_EQ(shownParameter({"present", "", 1.0, 0.0}), "present 1");
+  EXPECT_EQ(shownParameter("backlash", {"half_width", "m", 0.9e-3, 0.05e-3}), "half width 0.900 ± 0.050 mm");
+  EXPECT_EQ(shownParameter("pulley_radius", {"share", "", 0.021, 0.0004}),
+            "increase of the link radius 2.100 ± 0.040 %");
+  EXPECT_EQ(shownParameter("cable_coupling", {"other", "", 1.0, 0.0}), "other 1");
+  EXPECT_EQ(shownParameter("sensor_sign", {"present", "", 1.0, 0.0}), "present 1");
 }
 
 // A play of 0.9 mm on a radius of 60 mm: 0.015 rad = 0.859 deg, by hand.
+/// A number in per cent needs to say of what: "share" alone does not.
+TEST(ShownNumbers, EveryShareSaysOfWhat) {
+  for (const robot::EffectFacts& facts : robot::effectFacts())
+    for (const robot::EffectParameter& parameter : facts.parameters) {
+      const std::string shown =
+          shownParameter(facts.name, {std::string(parameter.name), std::string(parameter.unit), 0.5, 0.0});
+      if (!shown.ends_with("%")) continue;
+      EXPECT_GE(std::ranges::count(shown, ' '), 4) << shown;
+      EXPECT_FALSE(shown.starts_with("share ")) << shown;
+    }
+}
+
 TEST(ShownNumbers, LengthsOfCableAreAlsoRotationsOfTheJoint) {
-  EXPECT_EQ(shownParameter({"half_width", "m", 0.9e-3, 0.05e-3, 1.0 / 0.06}),
+  EXPECT_EQ(shownParameter("backlash", {"half_width", "m", 0.9e-3, 0.05e-3, 1.0 / 0.06}),
             "half width 0.900 ± 0.050 mm of cable (0.859 ± 0.048 deg at the joint)");
 }
 

@@ -180,7 +180,7 @@ void CauseTree::addCause(QTreeWidgetItem* parent, std::size_t index) {
   QTreeWidgetItem* item = addTitle(parent, cause);
   item->setData(0, kCauseRole, static_cast<int>(index));
   for (const diagnosis::FoundParameter& parameter : cause.parameters) {
-    QTreeWidgetItem* line = addLine(item, shown(diagnosis::shownParameter(parameter)));
+    QTreeWidgetItem* line = addLine(item, shown(diagnosis::shownParameter(cause.effect, parameter)));
     line->setFont(kWords, numberFont(kPoints - 0.5));
     line->setForeground(kWords, theme_.text);
   }
