@@ -94,10 +94,12 @@ TEST_F(Diagnosis, CandidatesStandByRoundAndScoreAndShowTheirWords) {
   const QStringList lines = panel->pages().ranking().lines();
   ASSERT_EQ(lines.size(), 6);
   EXPECT_THAT(lines[0].toStdString(), HasSubstr("91 % | 412 | 97 %"));
-  EXPECT_THAT(lines[3].toStdString(), HasSubstr("1.0 % | — | —")) << "only screened";
+  EXPECT_THAT(lines[3].toStdString(), HasSubstr("1.0 % | — | –")) << "only screened";
+  EXPECT_TRUE(lines[0].startsWith("● ")) << lines[0].toStdString();
+  EXPECT_FALSE(lines[1].startsWith("● ")) << lines[1].toStdString();
   EXPECT_THAT(lines[4].toStdString(), HasSubstr("190"));
   panel->pages().setCurrentIndex(2);
-  auto* round = panel->pages().ranking().topLevelItem(0);
+  auto* round = panel->pages().ranking().topLevelItem(1);  // below the explanation of the columns
   panel->pages().ranking().setCurrentItem(round->child(2));
   EXPECT_EQ(panel->pages().ranking().chosen()->effect, "asymmetric_friction");
   EXPECT_TRUE(card().contains("candidate")) << card().toStdString();
@@ -107,7 +109,7 @@ TEST_F(Diagnosis, CandidatesStandByRoundAndScoreAndShowTheirWords) {
 TEST_F(Diagnosis, ATieSaysWhatWouldPartIt) {
   panel->showReport(sample(Verdict::kTie));
   EXPECT_THAT(headline(), HasSubstr("Cannot be distinguished"));
-  EXPECT_THAT(causes(), HasSubstr("One of these:"));
+  EXPECT_THAT(causes(), HasSubstr("One of these (probabilities relative to each other):"));
   EXPECT_THAT(panel->summary().toStdString(), HasSubstr("To distinguish them: Reverse joint 2"));
   EXPECT_EQ(QString::fromStdString(causes()).count("half width"), 1) << "the tied cause is listed once";
   test::grab(*panel, "diagnosis_panel_tie");

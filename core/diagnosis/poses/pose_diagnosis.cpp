@@ -235,7 +235,7 @@ class Work {
     text += ".";
     if (!report_.causes.empty()) text += fmt::format(" Causes: {}.", causeNames(report_.causes));
     for (const Tie& tie : report_.ties)
-      text += fmt::format(" The table cannot distinguish {}.", causeNames(tie.causes));
+      text += fmt::format(" The table cannot distinguish {}.", causeNames(mostProbableFirst(tie)));
     if (report_.verdict == Verdict::kUnexplained) text += " No hypothesis explains the rest.";
     return text;
   }

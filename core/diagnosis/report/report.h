@@ -77,7 +77,8 @@ struct SetProbability {
 
 /// Effects that explain the recording equally well.
 struct Tie {
-  std::vector<Cause> causes;  ///< best first
+  /// The cause of the model first. Cause::probability is relative: those of one tie add up to 1.
+  std::vector<Cause> causes;
   std::string separate;       ///< the motion that would distinguish the causes
 };
 
@@ -101,7 +102,7 @@ struct Candidate {
   double reduction = 0.0;  ///< largest reduction over the channels by a short refit; NaN: not refitted
   /// Log likelihood of the short refit with the effect minus that without it [nats]; NaN: not refitted.
   double score = 0.0;
-  double probability = 0.0;  ///< as Cause::probability
+  double probability = 0.0;  ///< as Cause::probability; exactly 0: no model fitted until convergence has it
 };
 
 /// Residuals of one sensor channel of one recording under the three models.

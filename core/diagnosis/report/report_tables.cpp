@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <vector>
 
@@ -43,13 +44,29 @@ std::string recordingOf(const Report& report, int recording) {
   return i < report.recordings.size() ? report.recordings[i] : fmt::format("recording {}", recording + 1);
 }
 
-/// Order within a round: refitted candidates first, then by probability, score and predicted reduction.
+/// Probability as it is shown: below 0.5 % it does not decide the order.
+double shownProbability(const Candidate& candidate) {
+  constexpr double kLeastShown = 0.005;
+  return candidate.probability < kLeastShown ? 0.0 : candidate.probability;
+}
+
 bool ahead(const Candidate& a, const Candidate& b) {
   if (a.round != b.round) return a.round < b.round;
+  if (shownProbability(a) != shownProbability(b)) return a.probability > b.probability;
   if (a.refitted != b.refitted) return a.refitted;
-  if (a.probability != b.probability) return a.probability > b.probability;
   if (a.refitted && a.score != b.score) return a.score > b.score;
   return a.screened > b.screened;
+}
+
+/// True if the model of the report has exactly these effects.
+bool isModel(const Report& report, const std::vector<NamedEffect>& effects) {
+  const auto has = [&](const Cause& cause) {
+    return std::ranges::any_of(effects, [&](const NamedEffect& one) {
+      return one.effect == cause.effect && one.joint == cause.joint;
+    });
+  };
+  return hasEffects(report) && effects.size() == report.causes.size() + report.also_measurable.size() &&
+         std::ranges::all_of(report.causes, has) && std::ranges::all_of(report.also_measurable, has);
 }
 
 std::string changeOf(const RefitNumber& one) {
@@ -85,6 +102,38 @@ std::string gainText(const Gain& gain) {
           fmt::format(" (95 %: {:.1f} to {:.1f} %)", 100.0 * gain.interval.low, 100.0 * gain.interval.high);
   }
   return text + ", on data that were not fitted";
+}
+
+std::vector<Cause> mostProbableFirst(const Tie& tie) {
+  std::vector<Cause> causes = tie.causes;
+  std::ranges::stable_sort(causes, std::greater<>(), &Cause::probability);
+  return causes;
+}
+
+std::vector<Candidate> rankedCandidates(const Report& report) {
+  std::vector<Candidate> candidates = report.candidates;
+  std::ranges::stable_sort(candidates, ahead);
+  return candidates;
+}
+
+bool isInModel(const Report& report, const Candidate& candidate) {
+  const auto is_it = [&](const Cause& cause) {
+    return cause.effect == candidate.effect && cause.joint == candidate.joint;
+  };
+  return std::ranges::any_of(report.causes, is_it) || std::ranges::any_of(report.also_measurable, is_it);
+}
+
+std::string candidatePercent(const Candidate& candidate) {
+  if (!(candidate.probability > 0.0)) return "–";
+  if (shownProbability(candidate) == 0.0) return "< 1";
+  return fmt::format("{:.0f}", 100.0 * candidate.probability);
+}
+
+std::string rankingNote() {
+  return "Trial fits are short: they choose during the search which effects are fitted to the end. The final "
+         "probability comes from models that were fitted to the end and compared on held-out data. An effect "
+         "that removes much in its trial is improbable in the end where another one explains the same better. "
+         "–: in no model that was fitted to the end.";
 }
 
 std::string movesText(const Cause& cause) {
@@ -193,12 +242,12 @@ Table rankingTable(const Report& report, std::size_t most) {
                    text("effect"),
                    text("where"),
                    number("predicted", "%", 1, NumberStyle::kFixed),
-                   number("refitted", "%", 1, NumberStyle::kFixed),
-                   number("score", "nats", 1, NumberStyle::kFixed),
-                   number("probability", "%", 0, NumberStyle::kFixed)};
+                   number("trial removes", "%", 1, NumberStyle::kFixed),
+                   number("trial score", "nats", 1, NumberStyle::kFixed),
+                   text("final probability [%]"),
+                   text("model")};
   table.columns.front().grouped = true;
-  std::vector<Candidate> all = report.candidates;
-  std::stable_sort(all.begin(), all.end(), ahead);
+  const std::vector<Candidate> all = rankedCandidates(report);
   std::size_t in_round = 0, excluded = 0;
   for (std::size_t i = 0; i < all.size(); ++i) {
     in_round = i > 0 && all[i].round == all[i - 1].round ? in_round + 1 : 0;
@@ -207,14 +256,17 @@ Table rankingTable(const Report& report, std::size_t most) {
       continue;
     }
     const Candidate& one = all[i];
+    TableCell probability(candidatePercent(one));
+    probability.number = 100.0 * one.probability;
     table.rows.push_back({static_cast<double>(one.round), titleOf(one.effect),
                           shownJoint(one.effect, one.joint), 100.0 * one.screened,
                           one.refitted ? 100.0 * one.reduction : kNaN, one.refitted ? one.score : kNaN,
-                          100.0 * one.probability});
+                          std::move(probability), isInModel(report, one) ? "●" : ""});
   }
   table.note =
-      "Predicted: share of the residual's mean square that the effect removes, by the score test. Held out "
-      "and score (gain of log likelihood): for refitted effects, on segments that were not fitted.";
+      "Predicted, and trial removes: share of the mean square of the round's residual, by the score test "
+      "and by a trial fit. Trial score: gain of log likelihood. ●: effect of the model. " +
+      rankingNote();
   if (excluded > 0) table.note += fmt::format(" {} more effects have a smaller prediction.", excluded);
   return table;
 }
@@ -266,11 +318,15 @@ Table posteriorTable(const Report& report, std::size_t most) {
     std::vector<std::string> names;
     for (const NamedEffect& one : report.posterior[k].effects)
       names.push_back(fmt::format("{} ({})", titleOf(one.effect), shownJoint(one.effect, one.joint)));
-    table.rows.push_back({names.empty() ? std::string("none") : fmt::format("{}", fmt::join(names, " + ")),
-                          100.0 * report.posterior[k].probability});
+    std::string set = names.empty() ? std::string("none") : fmt::format("{}", fmt::join(names, " + "));
+    if (isModel(report, report.posterior[k].effects)) set += " ← the model";
+    table.rows.push_back({set, 100.0 * report.posterior[k].probability});
     others -= report.posterior[k].probability;
   }
-  table.note = fmt::format("All other sets together: {:.1f} %.", 100.0 * std::max(0.0, others));
+  table.note =
+      fmt::format("Probability of exactly these effects. All other sets together: {:.1f} %. The probability of "
+                  "a cause is the sum over all sets that have it.",
+                  100.0 * std::max(0.0, others));
   return table;
 }
 

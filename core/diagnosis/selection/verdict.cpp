@@ -121,7 +121,7 @@ std::string summaryOf(const Report& report) {
                  : fmt::format("Something is there that no hypothesis explains; {} takes off {:.0f} % of it.",
                                causeNames(report.causes), percent);
     case Verdict::kTie:
-      return fmt::format("This recording cannot distinguish {}.", causeNames(report.ties.front().causes));
+      return fmt::format("This recording cannot distinguish {}.", causeNames(mostProbableFirst(report.ties.front())));
     default:
       return fmt::format("{} {} the recording ({:.0f} % of what is beyond noise).", causeNames(report.causes),
                          report.causes.size() > 1 ? "explain" : "explains", percent);

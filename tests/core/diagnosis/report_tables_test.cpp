@@ -82,11 +82,42 @@ TEST(ReportTables, RankingIsByRoundAndLikelihoodAndSaysWhatItLeavesOut) {
   ASSERT_EQ(table.rows.size(), report.candidates.size());
   EXPECT_EQ(table.rows[0][1].text, titleOf("backlash"));
   EXPECT_EQ(table.rows[3][2].text, "whole arm") << "not refitted: last of its round";
-  EXPECT_TRUE(std::isnan(table.rows[3][columnOf(table, "score")].number));
+  EXPECT_TRUE(std::isnan(table.rows[3][columnOf(table, "trial score")].number));
   EXPECT_EQ(table.rows[4][0].number, 2.0);
   const Table brief = rankingTable(report, 1);
   EXPECT_EQ(brief.rows.size(), 2U) << "one a round";
   EXPECT_NE(brief.note.find("4 more"), std::string::npos) << brief.note;
+}
+
+// A candidate that removes more in its trial than the cause, and is improbable in the end.
+TEST(ReportTables, RankingAgreesWithTheVerdict) {
+  Report report = sampleReport({.duration = 12.0});
+  Candidate& trial = report.candidates[1];
+  trial.reduction = 0.978, trial.score = 500.0, trial.probability = 3e-4;
+  report.candidates[2].probability = 0.0;
+  report.candidates[3].probability = 0.68;  // settled before this round: no trial fit in it
+  const Table table = rankingTable(report);
+  const std::size_t final = columnOf(table, "final probability [%]");
+  EXPECT_EQ(table.rows[0][1].text, titleOf("backlash"));
+  EXPECT_EQ(table.rows[0][final].text, "97");
+  EXPECT_EQ(table.rows[0].back().text, "●");
+  EXPECT_EQ(table.rows[1][1].text, titleOf("gravity_tilt")) << "by its probability, before those of none";
+  EXPECT_EQ(table.rows[1][final].text, "68");
+  EXPECT_EQ(table.rows[2][final].text, "< 1") << "not 0: it was fitted to the end";
+  EXPECT_EQ(table.rows[2].back().text, "");
+  EXPECT_EQ(table.rows[3][final].text, "–");
+  EXPECT_NE(table.note.find(rankingNote()), std::string::npos);
+}
+
+TEST(ReportTables, ATieListsTheMoreProbableCauseFirst) {
+  Report report = sampleReport({.verdict = Verdict::kTie, .duration = 12.0});
+  Tie& tie = report.ties[0];
+  tie.causes[0].probability = 0.36, tie.causes[1].probability = 0.64;
+  const std::vector<Cause> shown = mostProbableFirst(tie);
+  ASSERT_EQ(shown.size(), 2U);
+  EXPECT_EQ(shown[0].effect, "cable_hysteresis");
+  EXPECT_EQ(shown[1].effect, "backlash");
+  EXPECT_EQ(tie.causes[0].effect, "backlash") << "the model stays what it is";
 }
 
 TEST(ReportTables, LinesProcessesAndFilter) {
@@ -176,6 +207,12 @@ TEST(ReportTables, PosteriorOfSetsAndAllOthers) {
   const Table brief = posteriorTable(report, 1);
   EXPECT_EQ(brief.rows.size(), 1U);
   EXPECT_NE(brief.note.find("50.0 %"), std::string::npos) << brief.note;
+}
+
+TEST(ReportTables, PosteriorMarksTheModel) {
+  const Table table = posteriorTable(sampleReport({.duration = 12.0}));
+  EXPECT_NE(table.rows[0][0].text.find("← the model"), std::string::npos) << table.rows[0][0].text;
+  EXPECT_EQ(table.rows[1][0].text.find("← the model"), std::string::npos) << table.rows[1][0].text;
 }
 
 TEST(ExtendedRobot, IsARobotFileThatSaysWhereItIsFrom) {
