@@ -169,6 +169,9 @@ struct Report {
   std::string summary;                 ///< one or two sentences for people
   std::vector<Cause> causes;           ///< material effects, the largest Cause::loss first
   std::vector<Cause> also_measurable;  ///< effects below the tolerance or kMaterialShare
+  /// Effects of the most probable set that the model lacks, because the set without them is probable enough
+  /// (kMinOddsWithout). Their numbers are those of the most probable set; no gain.
+  std::vector<Cause> uncertain;
   Tolerance material;
   std::vector<Tie> ties;
   std::vector<SetProbability> posterior;  ///< the most probable set first

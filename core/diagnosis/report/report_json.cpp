@@ -197,6 +197,7 @@ json jsonOf(const Report& report) {
           {"recordings", report.recordings},
           {"causes", list(report.causes, [](const Cause& cause) { return jsonOf(cause); })},
           {"also_measurable", list(report.also_measurable, [](const Cause& cause) { return jsonOf(cause); })},
+          {"uncertain", list(report.uncertain, [](const Cause& cause) { return jsonOf(cause); })},
           {"material", {{"angle", report.material.angle}, {"length", report.material.length}}},
           {"posterior", list(report.posterior, setJson)},
           {"ties", list(report.ties, tieJson)},
