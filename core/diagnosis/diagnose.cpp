@@ -10,6 +10,7 @@
 #include "core/diagnosis/experiment_design/next_experiment.h"
 #include "core/diagnosis/filter_gain.h"
 #include "core/diagnosis/hypotheses/joint_scales.h"
+#include "core/diagnosis/selection/displacement.h"
 #include "core/diagnosis/selection/explainable.h"
 #include "core/diagnosis/selection/gains.h"
 #include "core/diagnosis/selection/horizons.h"
@@ -72,6 +73,20 @@ void addRefit(const FitData& data, const Selection& s, Report& report) {
     number.at_bound = std::abs(u - p.u(p.low)) < kAtBound || std::abs(u - p.u(p.high)) < kAtBound;
     number.moved = std::abs(value - p.start) > kMoved * number.sigma;
     report.refit.push_back(std::move(number));
+  }
+}
+
+/// Displacements by the nominal parameters that the refit moved.
+void addRefitMoves(const FitData& data, const Selection& s, const robot::Description& nominal,
+                   Report& report) {
+  std::vector<int> moved;
+  for (std::size_t k = 0; k < report.refit.size(); ++k)
+    if (report.refit[k].moved) moved.push_back(static_cast<int>(k));
+  const std::vector<Displacements> moves = displacementsByRefit(data, s.best, moved, nominal);
+  for (std::size_t i = 0; i < moved.size(); ++i) {
+    RefitNumber& number = report.refit[static_cast<std::size_t>(moved[i])];
+    number.moves = moves[i];
+    number.material = isMaterial(moves[i], report.material);
   }
 }
 
@@ -223,6 +238,7 @@ Report diagnose(const std::vector<Evidence>& recordings, const robot::Descriptio
   clock.lap("show");
   assembly.addLines();
   report.material = options.material;
+  if (options.show) addRefitMoves(data, selection, nominal, report);
   if (options.show || hasResidual(data, selection, options.material))
     report.explainable = explainableOf(data, selection, nominal, progress);
   clock.lap("explainable share");

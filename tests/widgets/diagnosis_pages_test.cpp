@@ -88,6 +88,9 @@ TEST_F(Diagnosis, TheRefitHasAColumnWithoutAndOneWithTheEffects) {
   EXPECT_NE(stiffness.text(RefitTable::kWithout), stiffness.text(RefitTable::kNominal));
   EXPECT_THAT(stiffness.text(RefitTable::kValue).toStdString(), HasSubstr("±"));
   EXPECT_THAT(refit.topLevelItem(1)->text(RefitTable::kChange).toStdString(), HasSubstr("at its bound"));
+  EXPECT_TRUE(stiffness.font(RefitTable::kChange).bold()) << "significant and material";
+  EXPECT_THAT(stiffness.toolTip(RefitTable::kChange).toStdString(), HasSubstr("0.859 deg at joint 2"));
+  EXPECT_FALSE(refit.topLevelItem(1)->font(RefitTable::kChange).bold()) << "it moves no joint by the tolerance";
   panel->showReport(sample(Verdict::kNothing));
   EXPECT_TRUE(refit.isColumnHidden(RefitTable::kWithout)) << "both are the same";
 }

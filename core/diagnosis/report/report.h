@@ -90,6 +90,8 @@ struct RefitNumber {
   bool at_bound = false;            ///< true if the estimate is at its bound
   bool moved = false;               ///< true if `value` differs from `nominal` by more than two sigmas
   double value_without = 0.0;       ///< estimate without any effect
+  Displacements moves = {};         ///< displacement by the change alone; joints empty: not moved, not computed
+  bool material = false;            ///< true if it moved and `moves` exceeds the tolerance
 };
 
 /// One hypothesis in the ranking of one round.

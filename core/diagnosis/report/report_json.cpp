@@ -78,6 +78,8 @@ json refitJson(const std::vector<RefitNumber>& refit) {
                             {"without", number(one.value_without)},
                             {"unit", one.unit},
                             {"moved", one.moved},
+                            {"material", one.material},
+                            {"moves", movesJson(one.moves)},
                             {"at_bound", one.at_bound}};
   return all;
 }

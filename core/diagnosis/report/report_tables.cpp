@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "core/diagnosis/hypotheses/pose_hypotheses.h"
@@ -69,11 +70,6 @@ bool isModel(const Report& report, const std::vector<NamedEffect>& effects) {
          std::ranges::all_of(report.causes, has) && std::ranges::all_of(report.also_measurable, has);
 }
 
-std::string changeOf(const RefitNumber& one) {
-  if (one.nominal == 0.0) return {};
-  return fmt::format("{:+.1f} %", 100.0 * (one.value / one.nominal - 1.0));
-}
-
 }  // namespace
 
 bool hasEffects(const Report& report) { return !report.causes.empty() || !report.also_measurable.empty(); }
@@ -134,6 +130,36 @@ std::string rankingNote() {
          "probability comes from models that were fitted to the end and compared on held-out data. An effect "
          "that removes much in its trial is improbable in the end where another one explains the same better. "
          "–: in no model that was fitted to the end.";
+}
+
+std::vector<RefitNumber> refitInOrder(const Report& report) {
+  std::vector<RefitNumber> numbers = report.refit;
+  std::ranges::stable_sort(numbers, std::greater<>(),
+                           [](const RefitNumber& one) { return std::pair(one.material, one.moved); });
+  return numbers;
+}
+
+std::string refitChange(const RefitNumber& one) {
+  const double change = one.value - one.nominal;
+  if (std::abs(change) <= std::abs(one.nominal))
+    return base::withMinus(fmt::format("{:+.1f} %", change == 0.0 ? 0.0 : 100.0 * change / one.nominal));
+  return (change > 0.0 ? "+" : "") + shownNumber(change, 0.0, one.unit);
+}
+
+std::string refitRemark(const RefitNumber& one, const Tolerance& tolerance) {
+  std::string text = one.material ? "material" : one.moved ? "moved" : "not moved";
+  std::size_t joint = 0;
+  double most = 0.0;  // in tolerances
+  for (std::size_t j = 0; j < one.moves.joints.size(); ++j) {
+    const Displacement& moved = one.moves.joints[j];
+    const double share = moved.rms / (moved.slides ? tolerance.length : tolerance.angle);
+    if (share > most) most = share, joint = j + 1;
+  }
+  if (joint > 0) {
+    const Displacement& moved = one.moves.joints[joint - 1];
+    text += fmt::format(": {} at joint {}", shownNumber(moved.rms, 0.0, moved.slides ? "m" : "rad"), joint);
+  }
+  return one.at_bound ? text + "; at its bound: it would go further" : text;
 }
 
 std::string movesText(const Cause& cause) {
@@ -218,16 +244,14 @@ Table refitTable(const Report& report) {
   table.columns = {text("number"),          text("nominal"),
                    text("without effects"), text(effects ? "with effects" : "refitted"),
                    text("change"),          text("remark")};
-  std::vector<RefitNumber> numbers = report.refit;
-  std::stable_partition(numbers.begin(), numbers.end(), [](const RefitNumber& one) { return one.moved; });
-  for (const RefitNumber& one : numbers)
+  for (const RefitNumber& one : refitInOrder(report))
     table.rows.push_back({shownName(one.name), shownNumber(one.nominal, 0.0, one.unit),
                           shownNumber(one.value_without, 0.0, one.unit),
-                          shownNumber(one.value, one.sigma, one.unit), changeOf(one),
-                          one.at_bound ? "at its bound: it would go further"
-                          : one.moved  ? "moved"
-                                       : "not moved"});
-  table.note = "Moved: by more than two standard deviations. A mistuned parameter is not a missing effect.";
+                          shownNumber(one.value, one.sigma, one.unit), refitChange(one),
+                          refitRemark(one, report.material)});
+  table.note =
+      "Moved: by more than two standard deviations; material: the change of this number alone also moves a joint "
+      "by more than the tolerance (RMS displacement in the remark). A mistuned parameter is not a missing effect.";
   if (effects) return table;
   constexpr std::ptrdiff_t kWithout = 2;  // without effects the two values are the same
   table.columns.erase(table.columns.begin() + kWithout);

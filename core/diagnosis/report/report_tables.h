@@ -33,6 +33,14 @@ std::string candidatePercent(const Candidate& candidate);
 /// Explanation of the ranking's columns.
 std::string rankingNote();
 
+/// Refitted parameters: those that are material first, then those that moved.
+std::vector<RefitNumber> refitInOrder(const Report& report);
+/// Change of a parameter: "−18.0 %", or the difference with its unit if it is larger than the nominal value.
+std::string refitChange(const RefitNumber& number);
+/// Whether a parameter moved, and how far its change alone moves the joint that it moves most: "material: 0.041
+/// deg at joint 2", "moved: 0.0031 deg at joint 2", "not moved".
+std::string refitRemark(const RefitNumber& number, const Tolerance& tolerance);
+
 /// Displacement by a cause in one line: "moves joint 2 by 0.41 deg RMS (largest 0.93 deg), the tip by 1.9 mm
 /// RMS (largest 4.2 mm)". Joints that move by less than a tenth of the one that moves most are not named.
 std::string movesText(const Cause& cause);
@@ -46,7 +54,7 @@ std::string explainedText(const Report& report, std::string_view channel);
 /// fit before and after, and the ratio of RMS after / before on held-out data with its 95 % interval. Columns
 /// of the extended model appear only with causes, and the recording only if there are several.
 base::Table channelTable(const Report& report);
-/// Parameters of the nominal model before and after the refit; parameters that moved come first. If the model
+/// Parameters of the nominal model before and after the refit, as refitInOrder(). If the model
 /// has effects, the values refitted without and with them.
 base::Table refitTable(const Report& report);
 /// rankedCandidates(), at most `most` per round. The note gives the number of omitted hypotheses.

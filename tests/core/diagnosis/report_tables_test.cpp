@@ -53,12 +53,31 @@ TEST(ReportTables, RefitShowsFirstWhatMoved) {
   expectWhole(table);
   const std::size_t change = columnOf(table, "change"), remark = columnOf(table, "remark");
   EXPECT_EQ(table.rows[0][0].text, "cable stiffness of joint 2");
-  EXPECT_EQ(table.rows[0][change].text, "-18.0 %");
-  EXPECT_EQ(table.rows[0][remark].text, "moved");
+  EXPECT_EQ(table.rows[0][change].text, "−18.0 %");
+  EXPECT_EQ(table.rows[0][remark].text, "material: 0.859 deg at joint 2");
   EXPECT_NE(table.rows[1][remark].text.find("bound"), std::string::npos);
   EXPECT_EQ(table.rows[2][remark].text, "not moved");
   report.refit[0].nominal = 0.0;
   expectWhole(refitTable(report));
+}
+
+// A change of 494 % of a tiny number that moves nothing is no news; one of 3 % that moves a joint is.
+TEST(ReportTables, RefitEmphasisesWhatIsSignificantAndMaterial) {
+  Report report;
+  RefitNumber tiny{"centre_of_mass_x of joint 2", "m", -2e-3, -11.88e-3, 0.1e-3, false, true, -10e-3};
+  tiny.moves.joints = {{0.0, 0.0, false}, {5e-5, 9e-5, false}, {1e-6, 2e-6, true}};
+  RefitNumber large{"mass of joint 3", "kg", 0.231, 0.238, 0.001, false, true, 0.24};
+  large.moves.joints = {{0.0, 0.0, false}, {1e-3, 2e-3, false}, {1e-6, 2e-6, true}};
+  large.material = true;
+  report.refit = {tiny, large};
+  EXPECT_EQ(refitInOrder(report)[0].name, large.name);
+  EXPECT_EQ(refitChange(large), "+3.0 %");
+  EXPECT_EQ(refitChange(tiny), "−9.88 mm") << "the difference, where it is larger than the nominal value";
+  EXPECT_EQ(refitRemark(large, {}), "material: 0.0573 deg at joint 2");
+  EXPECT_EQ(refitRemark(tiny, {}), "moved: 0.00286 deg at joint 2");
+  RefitNumber zero{"centre_of_mass_x of joint 3", "m", 0.0, 5e-3, 1e-2, true, false, 0.0};
+  EXPECT_EQ(refitChange(zero), "+5.00 mm");
+  EXPECT_EQ(refitRemark(zero, {}), "not moved; at its bound: it would go further");
 }
 
 TEST(ReportTables, RefitShowsValuesWithAndWithoutEffects) {
