@@ -21,6 +21,7 @@ namespace capstan::diagnosis {
 namespace {
 
 constexpr double kMoved = 2.0;     // distance from nominal that counts as moved [sigmas]
+constexpr double kFilterFrom = 0.95;  // progress where the comparison of Kalman filters begins
 constexpr double kAtBound = 1e-6;  // distance of u from its bound that counts as at the bound
 
 class Clock {
@@ -218,7 +219,7 @@ Report diagnose(const std::vector<Evidence>& recordings, const robot::Descriptio
   check(recordings, nominal, options);
   Report report;
   Clock clock(report.stages);
-  if (progress) progress->report(0.0, "Preparing");
+  if (progress) progress->report(progress->fraction(), "Preparing");
   const FitModel base(nominal, jointScales(recordings, nominal));
   clock.lap("prepare");
   const auto [fitted, selection] =
@@ -259,6 +260,7 @@ Report diagnose(const std::vector<Evidence>& recordings, const robot::Descriptio
   for (const Evidence& evidence : recordings)
     report.notices.insert(report.notices.end(), evidence.notices.begin(), evidence.notices.end());
   if (options.show && options.filter) {
+    if (progress) progress->report(kFilterFrom, "Running the Kalman filter");
     addFilter(recordings, nominal, options, report, progress);
     clock.lap("filter");
   }

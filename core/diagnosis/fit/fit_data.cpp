@@ -124,6 +124,7 @@ Eigen::MatrixXd FitData::simulate(const std::vector<robot::ChainModel>& models,
     addGroups(*simulations_[r], r, models, family, groups);
   for (const Group& group : groups)
     work_ += static_cast<double>(group.members.size()) * workOf(*simulations_[group.recording], group.steps);
+  if (on_work_) on_work_(work_);
   base::parallelFor(groups.size(), threads_, [&](std::size_t task) {
     const auto& [r, steps, members] = groups[task];
     std::vector<Robot> robots;

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/base/parallel.h"
+#include "core/base/progress_share.h"
 #include "core/diagnosis/selection/verdict.h"
 
 namespace capstan::diagnosis {
@@ -146,10 +147,12 @@ std::vector<Explainable> explainableOf(const FitData& data, const Selection& s,
   std::vector<Group> groups = groupsOf(data);
   std::ranges::stable_sort(groups, std::greater<>(),
                            [&](const Group& group) { return beyondNoise(group, s); });
-  if (progress) progress->report(progress->fraction(), "Fitting a regression to the residual");
+  base::ProgressShare share(progress, kExplainableEnd, "Fitting a regression to the residual",
+                                  groups.size());
   std::vector<Explainable> channels(groups.size());
   base::parallelFor(groups.size(), data.threads(), [&](std::size_t k) {
     channels[k] = explainableOf(data, s, nominal, groups[k], progress);
+    share.finished();
   });
   return channels;
 }

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <algorithm>
+
+namespace capstan::diagnosis {
+
+/// Fraction of work whose end is not known: each piece of work adds its share of what is expected to be left. It
+/// grows evenly where the expectation holds, more slowly where more turns out to be necessary, and never stands
+/// while work is done.
+class WorkProgress {
+ public:
+  /// Sets the work that is still expected.
+  void expect(double rest) {
+    rest_ = std::max(rest, 0.0);
+    least_ = kLeastRest * rest_;
+  }
+  /// Advances to the total `work` done until now. Returns the fraction, from 0 to less than 1.
+  double advance(double work) {
+    const double step = work - work_;
+    if (!(step > 0.0)) return fraction_;
+    work_ = work;
+    rest_ = std::max(rest_ - step, least_);
+    fraction_ += (1.0 - fraction_) * step / (step + std::max(rest_, kLeastRest * step));
+    return fraction_;
+  }
+  double fraction() const { return fraction_; }
+
+ private:
+  /// Smallest rest, as a share of the last expectation: work that exceeds it goes on.
+  static constexpr double kLeastRest = 0.2;
+
+  double work_ = 0.0, rest_ = 0.0, least_ = 0.0, fraction_ = 0.0;
+};
+
+}  // namespace capstan::diagnosis
