@@ -3,6 +3,8 @@
 
 #include <QComboBox>
 #include <QFile>
+#include <QFileDialog>
+#include <QLineEdit>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QToolButton>
@@ -240,6 +242,22 @@ TEST_F(Diagnosis, TheReportIsExportedFigureByFigure) {
   EXPECT_FALSE(panel->busy());
   EXPECT_THAT(panel->words().toStdString(), HasSubstr("blocked"));
   EXPECT_EQ(exported.count(), 1);
+}
+
+TEST_F(Diagnosis, ANewFolderIsCreatedWhereItsNameIsTyped) {
+  panel->showReport(sample(Verdict::kFound));
+  const QTemporaryDir folder;
+  QSignalSpy exported(panel.get(), &DiagnosisPanel::exported);
+  button("export_report")->click();
+  auto* dialog = panel->findChild<QFileDialog*>();
+  ASSERT_TRUE(dialog);
+  dialog->setDirectory(folder.path());
+  auto* name = dialog->findChild<QLineEdit*>("fileNameEdit");
+  ASSERT_TRUE(name);
+  name->setText("new/report");
+  QTest::keyClick(name, Qt::Key_Return);
+  ASSERT_TRUE(waitFor([&] { return exported.count() == 1; })) << panel->words().toStdString();
+  EXPECT_TRUE(QFile::exists(folder.filePath("new/report/index.html")));
 }
 
 TEST_F(Diagnosis, TheJustRecordedTakesThePlaceOfTheChoice) {

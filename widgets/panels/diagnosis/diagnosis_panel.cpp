@@ -16,6 +16,7 @@
 #include "widgets/panels/diagnosis/report_files.h"
 #include "widgets/panels/diagnosis/report_pages.h"
 #include "widgets/panels/diagnosis/tolerance_edit.h"
+#include "widgets/panels/work/folder_dialog.h"
 
 namespace capstan::widgets {
 
@@ -253,10 +254,7 @@ void DiagnosisPanel::saveTrajectory(const QString& path) {
 }
 
 void DiagnosisPanel::askFolder() {
-  auto* dialog = new QFileDialog(this, tr("Folder for the page with all figures"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setFileMode(QFileDialog::Directory);
-  dialog->setOption(QFileDialog::ShowDirsOnly);
+  auto* dialog = new FolderDialog(this, tr("Folder for the page with all figures"));
   connect(dialog, &QFileDialog::fileSelected, this, &DiagnosisPanel::exportTo);
   dialog->open();
 }
