@@ -205,9 +205,12 @@ TEST_F(Diagnosis, TheExtendedRobotIsSavedAndUsedWhereItFits) {
   const Report& report = sample(Verdict::kFound);
   panel->showReport(report);
   EXPECT_FALSE(button("use_extended")->isEnabled()) << "no session";
-  panel->setSessionJoints(1);
+  EXPECT_THAT(button("use_extended")->toolTip().toStdString(), HasSubstr("No session is open"));
+  const QString arm = QString::fromStdString(report.extended.name);
+  panel->setSession({1, arm});
   EXPECT_FALSE(button("use_extended")->isEnabled()) << "another robot";
-  panel->setSessionJoints(3);
+  EXPECT_THAT(button("use_extended")->toolTip().toStdString(), HasSubstr("has 3 joints"));
+  panel->setSession({3, arm});
   ASSERT_TRUE(button("use_extended")->isEnabled());
   robot::Description used;
   QObject::connect(panel.get(), &DiagnosisPanel::robotChosen, panel.get(),
@@ -224,6 +227,31 @@ TEST_F(Diagnosis, TheExtendedRobotIsSavedAndUsedWhereItFits) {
   EXPECT_EQ(saved.count(), 1);
   EXPECT_EQ(robot::formatDescription(robot::readDescription(folder.filePath("robot.yaml").toStdString())),
             robot::formatDescription(report.extended));
+}
+
+TEST_F(Diagnosis, TheExtendedRobotSaysWhichRecordingItIsOf) {
+  const QString arm = QString::fromStdString(sample(Verdict::kFound).extended.name);
+  panel->choose({.recordings = {"/a/one.csv"}});
+  panel->showReport(sample(Verdict::kFound));
+  const QPushButton& use = *button("use_extended");
+  panel->setSession({3, arm, "/a/one.csv"});
+  EXPECT_EQ(use.text(), "Use this robot");
+  EXPECT_TRUE(use.isEnabled());
+  panel->setSession({3, arm, "/a/two.csv"});
+  EXPECT_EQ(use.text(), "Use robot of one.csv") << "another recording is open";
+  EXPECT_TRUE(use.isEnabled()) << "of the same arm";
+  EXPECT_THAT(use.toolTip().toStdString(), HasSubstr("Diagnosed: one.csv. Open: two.csv"));
+  panel->setSession({3, arm, {}});
+  EXPECT_EQ(use.text(), "Use robot of one.csv") << "a live arm";
+  panel->setSession({3, "another arm", "/a/two.csv"});
+  EXPECT_FALSE(use.isEnabled());
+  EXPECT_THAT(use.toolTip().toStdString(), HasSubstr("that of the open session is another arm"));
+  QString said;
+  QObject::connect(panel.get(), &DiagnosisPanel::robotChosen, panel.get(),
+                   [&](const robot::Description&, const QString& words) { said = words; });
+  panel->setSession({3, arm, "/a/two.csv"});
+  button("use_extended")->click();
+  EXPECT_THAT(said.toStdString(), HasSubstr("diagnosed: one.csv"));
 }
 
 TEST_F(Diagnosis, TheReportIsExportedFigureByFigure) {

@@ -26,12 +26,6 @@ namespace {
 
 constexpr int kCauseShare = 25;  ///< share of the height for the causes, the rest for the figures [%]
 
-QString namesOf(const QStringList& paths) {
-  QStringList names;
-  for (const QString& path : paths) names << QFileInfo(path).fileName();
-  return names.join(QStringLiteral(", "));
-}
-
 }  // namespace
 
 DiagnosisPanel::DiagnosisPanel(DiagnosisRun run, QWidget* parent) : WorkPanel(parent), run_(std::move(run)) {
@@ -87,9 +81,7 @@ void DiagnosisPanel::makeButtons() {
   save_ = button("save_extended", tr("Save extended robot…"),
                  tr("The robot with the refit and the causes found, as a robot file (Ctrl+Shift+S)"),
                  [this] { askFile(); });
-  use_ = button("use_extended", tr("Use this robot"),
-                tr("The running session uses it from now on; errors restart (Ctrl+Shift+Return)"),
-                [this] { useRobot(); });
+  use_ = button("use_extended", tr("Use this robot"), QString(), [this] { useRobot(); });
   next_ = button("save_next", tr("Save next experiment…"),
                  tr("The proposed motion as a trajectory that a simulated session takes (Ctrl+Shift+N)"),
                  [this] { askTrajectory(); });
@@ -124,8 +116,8 @@ void DiagnosisPanel::preselect(const QString& path, const QString& robot) {
   choose(chosen);
 }
 
-void DiagnosisPanel::setSessionJoints(int joints) {
-  session_joints_ = joints;
+void DiagnosisPanel::setSession(const RunningSession& session) {
+  session_ = session;
   refresh();
 }
 
@@ -214,8 +206,9 @@ void DiagnosisPanel::onCandidate() {
 
 void DiagnosisPanel::useRobot() {
   if (!report()) return;
+  const QString of = of_.recordings.isEmpty() ? QString() : tr(" (diagnosed: %1)").arg(fileNamesOf(of_.recordings));
   Q_EMIT robotChosen(report_->extended,
-                     tr("extended robot in use, errors restarted: %1").arg(headlineOf(*report_)));
+                     tr("extended robot in use, errors restarted: %1%2").arg(headlineOf(*report_), of));
   said_ = tr("The running session uses the extended robot; its errors restart.");
   refresh();
 }
@@ -287,7 +280,7 @@ void DiagnosisPanel::refresh() {
   if (!said_.isEmpty()) lines << said_;
   const Report* shown = job_.busy() ? nullptr : report();
   if (shown && said_.isEmpty()) {
-    if (!of_.recordings.isEmpty()) lines << tr("Of %1.").arg(namesOf(of_.recordings));
+    if (!of_.recordings.isEmpty()) lines << tr("Of %1.").arg(fileNamesOf(of_.recordings));
     for (const std::string& notice : shown->notices) lines << QString::fromStdString(notice);
   }
   const QString all = lines.join('\n');
@@ -305,7 +298,10 @@ void DiagnosisPanel::refresh() {
   diagnose_->setEnabled(working || canDiagnose());
   for (QPushButton* one : {save_, use_, page_}) one->setVisible(shown != nullptr && !working);
   next_->setVisible(shown != nullptr && !working && shown->next);
-  use_->setEnabled(shown && session_joints_ > 0 && shown->extended.size() == session_joints_);
+  const UseOffer offer = shown ? useOffer(*shown, of_, session_) : UseOffer{false, tr("Use this robot"), {}};
+  use_->setText(offer.words);
+  use_->setToolTip(offer.tip);
+  use_->setEnabled(offer.enabled);
 }
 
 void DiagnosisPanel::resizeEvent(QResizeEvent* event) {

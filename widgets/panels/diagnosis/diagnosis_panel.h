@@ -8,6 +8,7 @@
 #include "widgets/jobs/job.h"
 #include "widgets/panels/diagnosis/diagnosis_choice.h"
 #include "widgets/panels/diagnosis/report_export.h"
+#include "widgets/panels/diagnosis/running_session.h"
 #include "widgets/panels/work/work_panel.h"
 
 class QPushButton;
@@ -39,9 +40,8 @@ class DiagnosisPanel : public WorkPanel {
   /// Chooses the recording that the window has opened, and its robot file (empty: its own), unless the user
   /// has chosen others or a report of the former one is shown.
   void preselect(const QString& path, const QString& robot);
-  /// Sets the number of joints of the running session's robot, which the extended robot may replace; 0: no
-  /// session.
-  void setSessionJoints(int joints);
+  /// Sets the running session, whose robot the extended robot may replace.
+  void setSession(const RunningSession& session);
   void save(QSettings& settings) const;
   void restore(const QSettings& settings);
 
@@ -100,7 +100,7 @@ class DiagnosisPanel : public WorkPanel {
   DiagnosisChoice of_;  ///< choice that the report belongs to
   QString failed_;      ///< error why there is no report; empty: none
   QString said_;
-  int session_joints_ = 0;
+  RunningSession session_;
   QStringList preselected_;  ///< recording that preselect() has chosen
   bool user_split_ = false;
   RecordingPicker* picker_;
