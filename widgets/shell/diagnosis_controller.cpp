@@ -47,8 +47,8 @@ void DiagnosisController::offerRecordings(SessionLink& link) {
             panel_.setSession({info.robot.size(), QString::fromStdString(info.robot.name),
                                choice.isRecording() ? choice.file : QString()});
             if (!choice.isRecording()) return;
-            panel_.offer(choice.file, tr("Open recording"));
-            panel_.preselect(choice.file, choice.robot);
+            panel_.offer(choice.file, tr("Open recording"), choice.read_as);
+            panel_.preselect(choice.file, choice.robot, choice.read_as);
           });
   connect(&link, &SessionLink::status, this, &DiagnosisController::onStatus);
 }

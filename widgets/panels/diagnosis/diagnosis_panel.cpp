@@ -10,6 +10,7 @@
 #include "widgets/panels/diagnosis/cause_tree.h"
 #include "widgets/panels/diagnosis/diagnosis_headline.h"
 #include "widgets/panels/diagnosis/diagnosis_text.h"
+#include "widgets/panels/diagnosis/effort_box.h"
 #include "widgets/panels/diagnosis/hypothesis_card.h"
 #include "widgets/panels/diagnosis/ranking_table.h"
 #include "widgets/panels/diagnosis/recording_picker.h"
@@ -35,6 +36,7 @@ DiagnosisPanel::DiagnosisPanel(DiagnosisRun run, QWidget* parent) : WorkPanel(pa
   addFoot({save_, use_, page_}, tr("state of the diagnosis"));
   connect(picker_, &RecordingPicker::changed, this, &DiagnosisPanel::onInput);
   connect(tolerance_, &ToleranceEdit::changed, this, &DiagnosisPanel::onInput);
+  connect(effort_, &EffortBox::changed, this, &DiagnosisPanel::onInput);
   connect(causes_, &CauseTree::chosenChanged, this, &DiagnosisPanel::onCause);
   connect(pages_, &ReportPages::candidateChosen, this, &DiagnosisPanel::onCandidate);
   connect(pages_, &ReportPages::currentChanged, this, &DiagnosisPanel::showCard);
@@ -59,7 +61,11 @@ QWidget* DiagnosisPanel::makeInput() {
   rows->setContentsMargins(0, 0, 0, 0);
   rows->setSpacing(4);
   rows->addWidget(picker_ = new RecordingPicker);
-  rows->addWidget(tolerance_ = new ToleranceEdit);
+  auto* line = new QHBoxLayout;
+  line->setSpacing(10);
+  line->addWidget(tolerance_ = new ToleranceEdit, 1);
+  line->addWidget(effort_ = new EffortBox, 0, Qt::AlignTop);
+  rows->addLayout(line);
   return input;
 }
 
@@ -104,14 +110,17 @@ void DiagnosisPanel::setTheme(const Theme& theme) {
   styleWords(theme);
 }
 
-void DiagnosisPanel::offer(const QString& path, const QString& words) { picker_->offer(path, words); }
+void DiagnosisPanel::offer(const QString& path, const QString& words, const QString& read_as) {
+  picker_->offer(path, words, read_as);
+}
 
-void DiagnosisPanel::preselect(const QString& path, const QString& robot) {
+void DiagnosisPanel::preselect(const QString& path, const QString& robot, const QString& read_as) {
   DiagnosisChoice chosen = choice();
   if (busy() || report() || chosen.recordings != preselected_) return;
   chosen.recordings.clear();
   chosen.add({path});
   chosen.robot = robot;
+  chosen.read_as = read_as;
   preselected_ = chosen.recordings;
   choose(chosen);
 }
@@ -128,13 +137,15 @@ void DiagnosisPanel::restore(const QSettings& settings) { choose(DiagnosisChoice
 void DiagnosisPanel::choose(const DiagnosisChoice& choice) {
   picker_->setChoice(choice);
   tolerance_->setText(choice.material);
+  effort_->setEffort(choice.effort);
   onInput();
 }
 
-/// Recordings and robot of the picker, and the tolerance of the line below it.
+/// Recordings, units and robot of the picker, and tolerance and effort of the line below it.
 DiagnosisChoice DiagnosisPanel::choice() const {
   DiagnosisChoice choice = picker_->choice();
   choice.material = tolerance_->text();
+  choice.effort = effort_->effort();
   return choice;
 }
 

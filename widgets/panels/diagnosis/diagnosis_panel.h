@@ -18,6 +18,7 @@ class QSplitter;
 namespace capstan::widgets {
 
 class CauseTree;
+class EffortBox;
 class HypothesisCard;
 class RecordingPicker;
 class ReportPages;
@@ -35,11 +36,12 @@ class DiagnosisPanel : public WorkPanel {
   ~DiagnosisPanel() override;
 
   void setTheme(const Theme& theme);
-  /// Offers a complete recording of the session; `words`: text of the button that chooses it. Empty: none.
-  void offer(const QString& path, const QString& words);
-  /// Chooses the recording that the window has opened, and its robot file (empty: its own), unless the user
-  /// has chosen others or a report of the former one is shown.
-  void preselect(const QString& path, const QString& robot);
+  /// Offers a complete recording of the session; `words`: text of the button that chooses it; `read_as`: its
+  /// units. Empty path: none.
+  void offer(const QString& path, const QString& words, const QString& read_as = {});
+  /// Chooses the recording that the window has opened, its robot file (empty: its own) and its units, unless the
+  /// user has chosen others or a report of the former one is shown.
+  void preselect(const QString& path, const QString& robot, const QString& read_as = {});
   /// Sets the running session, whose robot the extended robot may replace.
   void setSession(const RunningSession& session);
   void save(QSettings& settings) const;
@@ -105,6 +107,7 @@ class DiagnosisPanel : public WorkPanel {
   bool user_split_ = false;
   RecordingPicker* picker_;
   ToleranceEdit* tolerance_;
+  EffortBox* effort_;
   QSplitter *split_, *top_;
   CauseTree* causes_;
   HypothesisCard* card_;
