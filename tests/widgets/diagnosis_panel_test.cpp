@@ -44,6 +44,8 @@ TEST_F(Diagnosis, AFoundCauseHasANamePlaceSizeAndWorth) {
   EXPECT_THAT(causes(), HasSubstr("q2 on other data: 0.894"));
   EXPECT_THAT(causes(), HasSubstr("moves joint 2 by 0.859 deg RMS (largest 1.89 deg), "
                                   "the tip by 3.10 mm RMS (largest 6.82 mm)"));
+  EXPECT_TRUE(panel->summary().startsWith("Tip displacement: 3.10 mm RMS (largest 6.82 mm)."))
+      << panel->summary().toStdString();
   EXPECT_TRUE(card().contains("What would show it best:")) << card().toStdString();
   for (int page = 0; page < panel->pages().count(); ++page) {
     panel->pages().setCurrentIndex(page);

@@ -51,6 +51,7 @@ std::string verdictHtml(const Report& report) {
   std::string html = fmt::format("<div class=\"verdict {}\"><h2>{}</h2>\n", base::nameOf(report.verdict),
                                  htmlEscaped(verdictText(report.verdict)));
   html += paragraph(report.summary);
+  if (const std::string tip = diagnosis::tipText(report); !tip.empty()) html += paragraph(tip);
   return html + "</div>\n";
 }
 

@@ -183,6 +183,20 @@ std::string movesText(const Cause& cause) {
                        : fmt::format("moves {}", fmt::join(parts, ", "));
 }
 
+std::string tipText(const Report& report) {
+  std::vector<std::string> parts;
+  for (const Cause& cause : report.causes) {
+    const Displacement& tip = cause.moves.tip;
+    if (!(tip.largest > 0.0)) continue;
+    parts.push_back(fmt::format("{} RMS (largest {})", shownNumber(tip.rms, 0.0, "m"),
+                                shownNumber(tip.largest, 0.0, "m")));
+    if (cause.effect.starts_with("camera_")) parts.back() += " in the cameras' view";
+    if (report.causes.size() > 1 || !report.ties.empty())
+      parts.back() += fmt::format(" by {} ({})", titleOf(cause.effect), shownJoint(cause.effect, cause.joint));
+  }
+  return parts.empty() ? std::string() : fmt::format("Tip displacement: {}.", fmt::join(parts, "; "));
+}
+
 std::string alsoMeasurableTitle(const Report& report) {
   return fmt::format("Also measurable, below the tolerance of {} or {:.0f} % of the mean square of a channel",
                      formatTolerance(report.material), 100.0 * kMaterialShare);

@@ -44,6 +44,9 @@ std::string refitRemark(const RefitNumber& number, const Tolerance& tolerance);
 /// Displacement by a cause in one line: "moves joint 2 by 0.41 deg RMS (largest 0.93 deg), the tip by 1.9 mm
 /// RMS (largest 4.2 mm)". Joints that move by less than a tenth of the one that moves most are not named.
 std::string movesText(const Cause& cause);
+/// Displacement of the tip by the causes in one line: "Tip displacement: 1.90 mm RMS (largest 4.20 mm)."; for
+/// several causes, or a tie, by each. Empty without causes that move the tip.
+std::string tipText(const Report& report);
 /// Heading of Report::also_measurable: "Also measurable, below the tolerance of 0.02deg,0.02mm or 6 % of
 /// the mean square of a channel".
 std::string alsoMeasurableTitle(const Report& report);

@@ -190,6 +190,21 @@ TEST(ReportTables, WhatAnEffectMoves) {
   EXPECT_EQ(movesText(cause), "moves the tip in the cameras' view by 1.00 mm RMS (largest 3.00 mm)");
 }
 
+TEST(ReportTables, TheDisplacementOfTheTipIsOneLine) {
+  Report report;
+  EXPECT_EQ(tipText(report), "");
+  Cause cause{.effect = "backlash", .joint = 2};
+  report.causes = {cause};
+  EXPECT_EQ(tipText(report), "") << "it does not move the tip";
+  report.causes[0].moves.tip = {1.9e-3, 4.2e-3, true};
+  EXPECT_EQ(tipText(report), "Tip displacement: 1.90 mm RMS (largest 4.20 mm).");
+  report.causes.push_back({.effect = "camera_latency"});
+  report.causes[1].moves.tip = {1e-3, 3e-3, true};
+  EXPECT_EQ(tipText(report), "Tip displacement: 1.90 mm RMS (largest 4.20 mm) by " + titleOf("backlash") +
+                                 " (joint 2); 1.00 mm RMS (largest 3.00 mm) in the cameras' view by " +
+                                 titleOf("camera_latency") + " (cameras).");
+}
+
 TEST(ReportTables, ExplainableBesideRegressions) {
   Report report;
   report.explainable = {{"q2", "rad", 1e-5, 2.0 * std::numbers::pi / 180.0, std::numbers::pi / 180.0, 3e-3,
