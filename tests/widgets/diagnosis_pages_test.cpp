@@ -117,6 +117,15 @@ TEST_F(Diagnosis, TheGainIsDrawnOverAnAxis) {
   EXPECT_THAT(IntervalAxis::to(0.0).ticks, ::testing::ElementsAre(0.0));
 }
 
+TEST_F(Diagnosis, NumbersAtTheAxisOfTheGainDoNotTouch) {
+  using ::testing::ElementsAre;
+  EXPECT_THAT(numbersDrawn({10, 50, 90, 130, 170}, {8, 20, 20, 20, 20}), ElementsAre(0, 1, 2, 3, 4));
+  EXPECT_THAT(numbersDrawn({10, 50, 90, 130, 170}, {8, 38, 38, 38, 38}), ElementsAre(0, 2, 4));
+  EXPECT_THAT(numbersDrawn({10, 25, 40, 55}, {8, 30, 30, 30}), ElementsAre(0, 2)) << "0, 0.0005, 0.001, 0.0015";
+  EXPECT_THAT(numbersDrawn({10, 20}, {8, 30}), ElementsAre(1)) << "the scale stays readable";
+  EXPECT_THAT(numbersDrawn({}, {}), ElementsAre());
+}
+
 TEST_F(Diagnosis, TheToleranceIsChangedInPlaceAndKept) {
   DiagnosisChoice asked;
   show([&asked](const DiagnosisChoice& choice, base::Progress&) {
