@@ -10,8 +10,8 @@
 
 #include "core/diagnosis/fit/input_noise.h"
 #include "core/diagnosis/selection/optimism.h"
+#include "core/diagnosis/selection/search_progress.h"
 #include "core/diagnosis/selection/set_prior.h"
-#include "core/diagnosis/selection/work_progress.h"
 
 namespace capstan::diagnosis {
 namespace {
@@ -29,7 +29,6 @@ constexpr double kWindow =
 constexpr double kContend = 3.0;  // the same, odds of 20: further below, its posterior is of no interest
 constexpr double kFar = 2.0;      // RMS of a residual over that of the noise: more is far from an explanation
 constexpr double kWorthMuch = 100.0;  // loss after a short fit [nats] that no fit to the end makes up
-constexpr double kFirstSteps = 3000.0;  // integration steps per row that a search takes, about: for its progress
 constexpr double kRestart = 0.5;      // gain of another start [nats] for which the search goes on
 
 bool cancelled(const base::Progress* progress) { return progress && progress->cancelled(); }
@@ -43,15 +42,9 @@ class Search {
         options_(options),
         progress_(progress),
         fitter_(data),
-        begin_(progress ? progress->fraction() : 0.0) {
-    if (progress_) data_.onWork([this](double work) { showProgress(work); });
-  }
-  ~Search() { data_.onWork({}); }
-  Search(const Search&) = delete;
-  Search& operator=(const Search&) = delete;
+        shown_(data, recordings, progress, options.progress_end) {}
 
   SearchResult run(const FitModel& nominal, const Fit* start) {
-    progress_of_work_.expect(firstExpectation());
     report("Refitting the nominal structure");
     SetFit base = fitter_.nominal(nominal, start ? nominal.carry(start->model, start->u)
                                                  : Eigen::VectorXd(Eigen::VectorXd::Zero(nominal.size())));
@@ -189,9 +182,7 @@ class Search {
     if (sets.empty() || ends()) return false;
     sortByFit(sets);
     if (sets.size() > kContenders) sets.erase(sets.begin() + kContenders, sets.end());
-
-    beginStep();
-    report("Settling the candidate models");
+    begin("Settling the candidate models");
     for (SetFit& set : sets) fitter_.relinearise(set);
     keepThin(fitter_.settled(std::move(sets)));
     return true;
@@ -213,7 +204,6 @@ class Search {
       }
     }
     if (removals.empty() || ends()) return;
-
     report(fmt::format("Fitting without {}", removals.front().effect.hypothesis->words.title));
     std::vector<SetFit> near, others;
     for (SetFit& set : fitter_.reduced(removals))
@@ -244,7 +234,6 @@ class Search {
   void expand(const EffectSet& effects, const Expansion& how) {
     const auto [refits, settled, least] = how;
     if (effects.size() >= static_cast<std::size_t>(options_.most_causes)) return;
-    beginStep();
     SetFit& parent = at(effects);
     if (parent.squares.sum.size() == 0) return;  // its simulation diverged
     const double cost =
@@ -253,7 +242,7 @@ class Search {
     fitter_.relinearise(parent);
     const std::vector<EffectCandidate> candidates =
         candidatesOf(recordings_, parent.fit.model, options_.only);
-    report("Testing hypotheses");
+    begin("Testing hypotheses");
     const std::vector<ScoreTest> tests = screen(data_, parent.fit, parent.weighting, candidates);
     std::vector<ScoreTest> promising;
     std::set<EffectSet> extended;
@@ -337,8 +326,7 @@ class Search {
     const EffectSet effects = found_.best;
     if (effects.empty() || restarted_.contains(effects) || ends()) return false;
     restarted_.insert(effects);
-    beginStep();
-    report("Refitting from the nominal parameters");
+    begin("Refitting from the nominal parameters");
     fitter_.relinearise(at(effects));
     const double before = value(effects);
     keep(fitter_.settled(SetFitter::fromNominal(at(effects))));
@@ -377,38 +365,16 @@ class Search {
     if (progress_) progress_->report(options_.progress_end, "Weighing the candidate models");
   }
 
-  void report(const std::string& doing) {
-    doing_ = doing;
-    if (progress_) showProgress(data_.work());
-  }
+  void report(const std::string& doing) { shown_.report(doing); }
+  void begin(const std::string& step) { shown_.beginStep(stepsLeft()), report(step); }
 
-  void showProgress(double work) {
-    progress_->report(begin_ + progress_of_work_.advance(work) * (options_.progress_end - begin_), doing_);
-  }
-
-  /// Work that is expected before anything was computed.
-  double firstExpectation() const {
-    double rows = 0.0;
-    for (const Evidence& evidence : recordings_)
-      rows += static_cast<double>(evidence.rows()) * evidence.joints * (data_.rigid() ? evidence.joints : 1);
-    return kFirstSteps * rows;
-  }
-
-  /// Number of steps that are left, as far as it is known: expansions of the beam and of the neighbours of the
-  /// best set, the settling of its contenders, and the fit from the nominal parameters.
+  /// Steps that are known to be left: this one, expansions of the beam and of neighbours, another start.
   int stepsLeft() {
-    int steps = 1;
     std::vector<EffectSet> sets = ranked();
     sets.resize(std::min(sets.size(), kBeam));
-    for (const EffectSet& effects : sets) steps += expanded_.contains(effects) ? 0 : 1;
-    for (const EffectCandidate& effect : found_.best)
-      steps += expanded_.contains(minus(found_.best, effect)) ? 0 : 1;
-    return steps + (found_.best.empty() || restarted_.contains(found_.best) ? 0 : 1);
-  }
-
-  /// A step of the search begins. The work that is left is estimated from the steps until now.
-  void beginStep() {
-    progress_of_work_.expect(stepsLeft() * data_.work() / ++steps_);
+    for (const EffectCandidate& effect : found_.best) sets.push_back(minus(found_.best, effect));
+    const auto open = std::ranges::count_if(sets, [&](const auto& set) { return !expanded_.contains(set); });
+    return 1 + static_cast<int>(open) + (restarted_.contains(found_.best) ? 0 : 1);
   }
 
   const FitData& data_;
@@ -420,10 +386,8 @@ class Search {
   SearchResult found_;
   std::map<EffectSet, double> value_;
   std::set<EffectSet> expanded_, restarted_;
-  int round_ = 0, steps_ = 0;
-  double begin_;
-  WorkProgress progress_of_work_;
-  std::string doing_;
+  int round_ = 0;
+  SearchProgress shown_;
 };
 
 }  // namespace

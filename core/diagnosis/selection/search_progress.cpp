@@ -1,0 +1,30 @@
+#include "core/diagnosis/selection/search_progress.h"
+
+namespace capstan::diagnosis {
+namespace {
+
+/// Integration steps per row and joint that a search takes, about: what is expected before its first step.
+constexpr double kFirstSteps = 3000.0;
+
+}  // namespace
+
+SearchProgress::SearchProgress(const FitData& data, const std::vector<Evidence>& recordings,
+                               base::Progress* progress, double end)
+    : data_(data), progress_(progress), begin_(progress ? progress->fraction() : 0.0), end_(end) {
+  double rows = 0.0;
+  for (const Evidence& evidence : recordings)
+    rows += static_cast<double>(evidence.rows()) * evidence.joints * (data.rigid() ? evidence.joints : 1);
+  work_.expect(kFirstSteps * rows);
+  if (progress_) data_.onWork([this](double work) { show(work); });
+}
+
+void SearchProgress::report(const std::string& doing) {
+  doing_ = doing;
+  if (progress_) show(data_.work());
+}
+
+void SearchProgress::show(double work) {
+  progress_->report(begin_ + work_.advance(work) * (end_ - begin_), doing_);
+}
+
+}  // namespace capstan::diagnosis
