@@ -136,10 +136,10 @@ std::string plainText(const base::Table& table) {
 }
 
 std::string textOf(const Report& report) {
-  std::string text = report.cancelled
-                         ? "Cancelled: no verdict. Results until then:\n\n"
-                         : wrapped(report.summary) + wrapped(diagnosis::tipText(report)) + "\n" + causesText(report) + alsoMeasurableText(report) +
-                               unexplainedText(report) + nextText(report);
+  std::string text = report.cancelled ? "Cancelled: no verdict. Results until then:\n\n"
+                                      : wrapped(report.summary) + wrapped(diagnosis::tipText(report)) + "\n" +
+                                            causesText(report) + alsoMeasurableText(report) +
+                                            unexplainedText(report) + nextText(report);
   if (!report.channels.empty()) text += plainText(diagnosis::channelTable(report)) + "\n";
   if (!report.explainable.empty()) text += plainText(diagnosis::explainableTable(report)) + "\n";
   if (report.posterior.size() > 1) text += plainText(diagnosis::posteriorTable(report, kRanked)) + "\n";

@@ -20,9 +20,9 @@
 namespace capstan::diagnosis {
 namespace {
 
-constexpr double kMoved = 2.0;     // distance from nominal that counts as moved [sigmas]
+constexpr double kMoved = 2.0;        // distance from nominal that counts as moved [sigmas]
 constexpr double kFilterFrom = 0.95;  // progress where the comparison of Kalman filters begins
-constexpr double kAtBound = 1e-6;  // distance of u from its bound that counts as at the bound
+constexpr double kAtBound = 1e-6;     // distance of u from its bound that counts as at the bound
 
 class Clock {
  public:

@@ -94,7 +94,8 @@ TEST_F(Diagnosis, TheRefitHasAColumnWithoutAndOneWithTheEffects) {
   EXPECT_THAT(refit.topLevelItem(1)->text(RefitTable::kChange).toStdString(), HasSubstr("at its bound"));
   EXPECT_TRUE(stiffness.font(RefitTable::kChange).bold()) << "significant and material";
   EXPECT_THAT(stiffness.toolTip(RefitTable::kChange).toStdString(), HasSubstr("0.859 deg at joint 2"));
-  EXPECT_FALSE(refit.topLevelItem(1)->font(RefitTable::kChange).bold()) << "it moves no joint by the tolerance";
+  EXPECT_FALSE(refit.topLevelItem(1)->font(RefitTable::kChange).bold())
+      << "it moves no joint by the tolerance";
   panel->showReport(sample(Verdict::kNothing));
   EXPECT_TRUE(refit.isColumnHidden(RefitTable::kWithout)) << "both are the same";
 }
@@ -121,7 +122,8 @@ TEST_F(Diagnosis, NumbersAtTheAxisOfTheGainDoNotTouch) {
   using ::testing::ElementsAre;
   EXPECT_THAT(numbersDrawn({10, 50, 90, 130, 170}, {8, 20, 20, 20, 20}), ElementsAre(0, 1, 2, 3, 4));
   EXPECT_THAT(numbersDrawn({10, 50, 90, 130, 170}, {8, 38, 38, 38, 38}), ElementsAre(0, 2, 4));
-  EXPECT_THAT(numbersDrawn({10, 25, 40, 55}, {8, 30, 30, 30}), ElementsAre(0, 2)) << "0, 0.0005, 0.001, 0.0015";
+  EXPECT_THAT(numbersDrawn({10, 25, 40, 55}, {8, 30, 30, 30}), ElementsAre(0, 2))
+      << "0, 0.0005, 0.001, 0.0015";
   EXPECT_THAT(numbersDrawn({10, 20}, {8, 30}), ElementsAre(1)) << "the scale stays readable";
   EXPECT_THAT(numbersDrawn({}, {}), ElementsAre());
 }

@@ -141,8 +141,7 @@ class Work {
     for (std::size_t i = 0; i < effect.size(); ++i) {
       const Index at = place + static_cast<Index>(i);
       const robot::EffectParameter& parameter = (*effect.parameters)[i];
-      cause.parameters.push_back({std::string(parameter.name), std::string(parameter.unit),
-                                  fit.value[at],
+      cause.parameters.push_back({std::string(parameter.name), std::string(parameter.unit), fit.value[at],
                                   withLawError(std::sqrt(covariance(at, at)), fit.value[at])});
     }
     cause.moves.tip = displacementBy(fit, effect);
@@ -175,8 +174,8 @@ class Work {
     if (selection_.uncertain.empty()) return;
     const Eigen::MatrixXd of_most_probable = covarianceOf(fitted_, selection_.most_probable);
     for (const UncertainOf<PoseEffect>& one : selection_.uncertain)
-      report_.uncertain.push_back(sizeOf(selection_.most_probable, *one.effect.hypothesis, one.probability,
-                                         of_most_probable));
+      report_.uncertain.push_back(
+          sizeOf(selection_.most_probable, *one.effect.hypothesis, one.probability, of_most_probable));
   }
 
   void addChannels() {

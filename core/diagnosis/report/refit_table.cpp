@@ -63,8 +63,10 @@ Table refitTable(const Report& report) {
                           shownNumber(one.value, one.sigma, one.unit), refitChange(one),
                           refitRemark(one, report.material)});
   table.note =
-      "Moved: by more than two standard deviations; material: the change of this number alone also moves a joint "
-      "by more than the tolerance (RMS displacement in the remark). A mistuned parameter is not a missing effect.";
+      "Moved: by more than two standard deviations; material: the change of this number alone also moves a "
+      "joint "
+      "by more than the tolerance (RMS displacement in the remark). A mistuned parameter is not a missing "
+      "effect.";
   if (effects) return table;
   constexpr std::ptrdiff_t kWithout = 2;  // without effects the two values are the same
   table.columns.erase(table.columns.begin() + kWithout);

@@ -27,7 +27,8 @@ enum class Verdict {
 struct FoundParameter {
   std::string name, unit;
   double value = 0.0, sigma = 0.0;  ///< estimate and its standard deviation, SI
-  /// For a length of the cable of a revolute joint: rotation of the joint per length, 1 / r_l [rad/m]; else 0.
+  /// For a length of the cable of a revolute joint: rotation of the joint per length, 1 / r_l [rad/m]; else
+  /// 0.
   double joint_per_length = 0.0;
 };
 
@@ -79,7 +80,7 @@ struct SetProbability {
 struct Tie {
   /// The cause of the model first. Cause::probability is relative: those of one tie add up to 1.
   std::vector<Cause> causes;
-  std::string separate;       ///< the motion that would distinguish the causes
+  std::string separate;  ///< the motion that would distinguish the causes
 };
 
 /// Parameter of the nominal model after the refit.
@@ -90,8 +91,8 @@ struct RefitNumber {
   bool at_bound = false;            ///< true if the estimate is at its bound
   bool moved = false;               ///< true if `value` differs from `nominal` by more than two sigmas
   double value_without = 0.0;       ///< estimate without any effect
-  Displacements moves = {};         ///< displacement by the change alone; joints empty: not moved, not computed
-  bool material = false;            ///< true if it moved and `moves` exceeds the tolerance
+  Displacements moves = {};  ///< displacement by the change alone; joints empty: not moved, not computed
+  bool material = false;     ///< true if it moved and `moves` exceeds the tolerance
 };
 
 /// One hypothesis in the ranking of one round.

@@ -128,7 +128,8 @@ std::string candidatePercent(const Candidate& candidate) {
 std::string rankingNote() {
   return "Trial fits are short: they choose during the search which effects are fitted to the end. The final "
          "probability comes from models that were fitted to the end and compared on held-out data. An effect "
-         "that removes much in its trial is improbable in the end where another one explains the same better. "
+         "that removes much in its trial is improbable in the end where another one explains the same "
+         "better. "
          "–: in no model that was fitted to the end.";
 }
 
@@ -162,7 +163,8 @@ std::string tipText(const Report& report) {
                                 shownNumber(tip.largest, 0.0, "m")));
     if (cause.effect.starts_with("camera_")) parts.back() += " in the cameras' view";
     if (report.causes.size() > 1 || !report.ties.empty())
-      parts.back() += fmt::format(" by {} ({})", titleOf(cause.effect), shownJoint(cause.effect, cause.joint));
+      parts.back() +=
+          fmt::format(" by {} ({})", titleOf(cause.effect), shownJoint(cause.effect, cause.joint));
   }
   return parts.empty() ? std::string() : fmt::format("Tip displacement: {}.", fmt::join(parts, "; "));
 }
@@ -309,10 +311,10 @@ Table posteriorTable(const Report& report, std::size_t most) {
     table.rows.push_back({set, 100.0 * report.posterior[k].probability});
     others -= report.posterior[k].probability;
   }
-  table.note =
-      fmt::format("Probability of exactly these effects. All other sets together: {:.1f} %. The probability of "
-                  "a cause is the sum over all sets that have it.",
-                  100.0 * std::max(0.0, others));
+  table.note = fmt::format(
+      "Probability of exactly these effects. All other sets together: {:.1f} %. The probability of "
+      "a cause is the sum over all sets that have it.",
+      100.0 * std::max(0.0, others));
   return table;
 }
 

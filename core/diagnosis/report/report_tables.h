@@ -37,8 +37,8 @@ std::string rankingNote();
 std::vector<RefitNumber> refitInOrder(const Report& report);
 /// Change of a parameter: "−18.0 %", or the difference with its unit if it is larger than the nominal value.
 std::string refitChange(const RefitNumber& number);
-/// Whether a parameter moved, and how far its change alone moves the joint that it moves most: "material: 0.041
-/// deg at joint 2", "moved: 0.0031 deg at joint 2", "not moved".
+/// Whether a parameter moved, and how far its change alone moves the joint that it moves most: "material:
+/// 0.041 deg at joint 2", "moved: 0.0031 deg at joint 2", "not moved".
 std::string refitRemark(const RefitNumber& number, const Tolerance& tolerance);
 
 /// Displacement by a cause in one line: "moves joint 2 by 0.41 deg RMS (largest 0.93 deg), the tip by 1.9 mm

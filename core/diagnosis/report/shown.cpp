@@ -48,7 +48,8 @@ std::string shownValue(const FoundParameter& parameter) {
   if (isCount(parameter)) return fmt::format("{:.0f}", parameter.value);
   std::string shown = shownNumber(parameter.value, parameter.sigma, parameter.unit);
   if (const double scale = parameter.joint_per_length; scale != 0.0)
-    shown += " of cable (" + shownNumber(scale * parameter.value, scale * parameter.sigma, "rad") + " at the joint)";
+    shown += " of cable (" + shownNumber(scale * parameter.value, scale * parameter.sigma, "rad") +
+             " at the joint)";
   return shown;
 }
 

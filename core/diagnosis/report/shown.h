@@ -15,8 +15,8 @@ using base::shownUnit;
 /// Parameter of an effect with its name, "half width 0.420 ± 0.031 mm". Shares are in "%" and say of what:
 /// "increase of the link radius 0.42 ± 0.03 %"; joint numbers and yes/no values (1 or 0) have no unit.
 std::string shownParameter(std::string_view effect, const FoundParameter& parameter);
-/// The same without the name: "0.420 ± 0.031 mm"; of a revolute joint's cable "0.420 ± 0.031 mm of cable (0.408
-/// ± 0.030 deg at the joint)".
+/// The same without the name: "0.420 ± 0.031 mm"; of a revolute joint's cable "0.420 ± 0.031 mm of cable
+/// (0.408 ± 0.030 deg at the joint)".
 std::string shownValue(const FoundParameter& parameter);
 /// Name of a parameter in words: "half width".
 std::string shownName(std::string_view parameter);

@@ -64,7 +64,8 @@ void addTip(const robot::Chain& chain, const SimulatedMotion& with, const Simula
   }
 }
 
-/// Displacement from `without` to `with`. `motions`: those of `with`, one per recording; unused for rigid drives.
+/// Displacement from `without` to `with`. `motions`: those of `with`, one per recording; unused for rigid
+/// drives.
 Displacements displacementsBetween(const FitData& data, const Fit& fit, const robot::ChainModel& with,
                                    const robot::ChainModel& without,
                                    const std::vector<SimulatedMotion>& motions,

@@ -147,8 +147,7 @@ std::vector<Explainable> explainableOf(const FitData& data, const Selection& s,
   std::vector<Group> groups = groupsOf(data);
   std::ranges::stable_sort(groups, std::greater<>(),
                            [&](const Group& group) { return beyondNoise(group, s); });
-  base::ProgressShare share(progress, kExplainableEnd, "Fitting a regression to the residual",
-                                  groups.size());
+  base::ProgressShare share(progress, kExplainableEnd, "Fitting a regression to the residual", groups.size());
   std::vector<Explainable> channels(groups.size());
   base::parallelFor(groups.size(), data.threads(), [&](std::size_t k) {
     channels[k] = explainableOf(data, s, nominal, groups[k], progress);

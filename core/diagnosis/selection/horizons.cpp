@@ -28,8 +28,8 @@ std::vector<std::string> namesOf(const Selection& selection) {
   return names;
 }
 
-/// Candidates of a search, with the probabilities of `final`, which has searched among their hypotheses again.
-/// Effects that it did not consider are in none of its models.
+/// Candidates of a search, with the probabilities of `final`, which has searched among their hypotheses
+/// again. Effects that it did not consider are in none of its models.
 std::vector<Candidate> withProbabilitiesOf(const Selection& final, std::vector<Candidate> candidates) {
   for (Candidate& candidate : candidates) {
     candidate.probability = 0.0;

@@ -20,8 +20,8 @@ class SearchProgress {
   SearchProgress& operator=(const SearchProgress&) = delete;
 
   void report(const std::string& doing);
-  /// A step of the search begins. The work that is left is that of `steps` more steps, as large as those until
-  /// now.
+  /// A step of the search begins. The work that is left is that of `steps` more steps, as large as those
+  /// until now.
   void beginStep(int steps) { work_.expect(steps * data_.work() / ++steps_); }
 
  private:

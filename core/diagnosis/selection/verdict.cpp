@@ -33,8 +33,8 @@ std::string unitAt(std::string_view unit, int joint, const robot::Description& r
   return std::string(slides ? unit.substr(at + kOr.size()) : unit.substr(0, at));
 }
 
-/// FoundParameter::joint_per_length of a parameter. Effects of a cable drive with a unit of length are lengths
-/// of the joint's cable.
+/// FoundParameter::joint_per_length of a parameter. Effects of a cable drive with a unit of length are
+/// lengths of the joint's cable.
 double jointPerLength(std::string_view unit, const EffectTerm& term, const robot::Description& robot) {
   if (unit != "m" || term.joint == 0 || robot.drive != robot::DriveType::kCable) return 0.0;
   const auto j = static_cast<std::size_t>(term.joint - 1);
@@ -141,7 +141,8 @@ std::string summaryOf(const Report& report) {
                  : fmt::format("Something is there that no hypothesis explains; {} takes off {:.0f} % of it.",
                                causeNames(report.causes), percent);
     case Verdict::kTie:
-      return fmt::format("This recording cannot distinguish {}.", causeNames(mostProbableFirst(report.ties.front())));
+      return fmt::format("This recording cannot distinguish {}.",
+                         causeNames(mostProbableFirst(report.ties.front())));
     default:
       return fmt::format("{} {} the recording ({:.0f} % of what is beyond noise).", causeNames(report.causes),
                          report.causes.size() > 1 ? "explain" : "explains", percent);

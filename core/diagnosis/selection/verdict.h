@@ -62,10 +62,10 @@ Verdict verdictOf(const Report& report, bool residual);
 /// (probability 41 %): mass 0.021 ± 0.012 kg, moves …".
 std::string uncertainText(const std::vector<Cause>& effects);
 
-/// Fills verdict, causes, also_measurable, uncertain, ties, posterior, explained and summary of the report from the
-/// selection; Report::material, explainable and lines are inputs. The σ of a cause's parameter combines
-/// three parts: the σ of the fit; 1 % of the parameter, because laws are simplified; and half of the size
-/// that the effect has on a robot in good order (Hypothesis::background).
+/// Fills verdict, causes, also_measurable, uncertain, ties, posterior, explained and summary of the report
+/// from the selection; Report::material, explainable and lines are inputs. The σ of a cause's parameter
+/// combines three parts: the σ of the fit; 1 % of the parameter, because laws are simplified; and half of the
+/// size that the effect has on a robot in good order (Hypothesis::background).
 void judge(const FitData& data, const Selection& selection, const robot::Description& robot, Report& report);
 
 }  // namespace capstan::diagnosis

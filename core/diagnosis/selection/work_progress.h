@@ -4,9 +4,9 @@
 
 namespace capstan::diagnosis {
 
-/// Fraction of work whose end is not known: each piece of work adds its share of what is expected to be left. It
-/// grows evenly where the expectation holds, more slowly where more turns out to be necessary, and never stands
-/// while work is done.
+/// Fraction of work whose end is not known: each piece of work adds its share of what is expected to be left.
+/// It grows evenly where the expectation holds, more slowly where more turns out to be necessary, and never
+/// stands while work is done.
 class WorkProgress {
  public:
   /// Sets the work that is still expected.

@@ -60,7 +60,8 @@ TEST(Displacement, OfAHomingOffsetIsTheOffset) {
   }
 }
 
-/// A softer cable of joint 2 moves joint 2 and hardly the others; a parameter at its nominal value moves nothing.
+/// A softer cable of joint 2 moves joint 2 and hardly the others; a parameter at its nominal value moves
+/// nothing.
 TEST(Displacement, OfARefittedParameterIsThatOfItsChange) {
   const Planted planted(1);
   const FitData data(planted.evidence, planted.robot, 0.0, EncoderZeros::kKnown, 2);
@@ -76,8 +77,7 @@ TEST(Displacement, OfARefittedParameterIsThatOfItsChange) {
   Eigen::VectorXd u = Eigen::VectorXd::Zero(model.size());
   const FitParameter& soft = model.parameters()[static_cast<std::size_t>(stiffness)];
   u[stiffness] = soft.u(0.5 * soft.start);
-  const Fit fit =
-      linearise(data, model, u, noneBeyond(data), {Eigen::VectorXd::Ones(data.size())});
+  const Fit fit = linearise(data, model, u, noneBeyond(data), {Eigen::VectorXd::Ones(data.size())});
   const auto moves = displacementsByRefit(data, fit, {stiffness, friction}, planted.robot);
   ASSERT_EQ(moves.size(), 2U);
   EXPECT_GT(moves[0].joints[1].rms, 1e-5);

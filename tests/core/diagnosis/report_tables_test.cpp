@@ -160,9 +160,10 @@ TEST(ReportTables, LinesProcessesAndFilter) {
 
 TEST(ReportTables, CausesInWords) {
   const Report report = sampleReport({.verdict = Verdict::kTie, .duration = 12.0});
-  EXPECT_EQ(causeText(report.causes[0]), titleOf("backlash") +
-                                            ", joint 2: half width 0.930 ± 0.030 mm of cable (0.859 ± 0.028 deg "
-                                            "at the joint)");
+  EXPECT_EQ(causeText(report.causes[0]),
+            titleOf("backlash") +
+                ", joint 2: half width 0.930 ± 0.030 mm of cable (0.859 ± 0.028 deg "
+                "at the joint)");
   EXPECT_EQ(causeText(report.ties[0].causes[1]),
             titleOf("cable_hysteresis") + ", joint 2: force 31.0 ± 4.0 N, yield 0.110 ± 0.060 mm");
   EXPECT_EQ(titleOf("backlash"), hypothesisNamed("backlash")->words.title);

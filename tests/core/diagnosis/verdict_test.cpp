@@ -20,13 +20,13 @@ Selection undecided(const FitData& data, const Planted& planted) {
   const SetFit without = SetFitter(data).nominal(nominal, Eigen::VectorXd::Zero(nominal.size()));
   const Hypothesis& backlash = *hypothesisNamed("backlash");
   const FitModel model = nominal.with(backlash, 2, {{kHalfWidth, 1.0}, {kHalfWidth, 0.0}});
-  SetFit with{{{&backlash, 2}},
-              linearise(data, model, model.startFrom(nominal, without.fit.u), noneBeyond(data),
-                        without.weighting),
-              without.weighting,
-              without.fitted,
-              without.squares,
-              true};
+  SetFit with{
+      {{&backlash, 2}},
+      linearise(data, model, model.startFrom(nominal, without.fit.u), noneBeyond(data), without.weighting),
+      without.weighting,
+      without.fitted,
+      without.squares,
+      true};
   SetFitter::thin(with);
   return {.base = without.fit,
           .base_squares = without.squares,
@@ -60,8 +60,8 @@ TEST(Verdict, GivesTheSizeOfAnEffectThatMayBeThere) {
   EXPECT_NEAR(half_width.joint_per_length * radius, 1.0, 1e-12);
   ASSERT_EQ(one.moves.joints.size(), 3U);
   EXPECT_GT(one.moves.joints[1].largest, 0.5 * kHalfWidth / radius);
-  const std::string words = "Backlash (joint 2) may be there, too (probability 58 %): " +
-                            shownParameter("backlash", half_width);
+  const std::string words =
+      "Backlash (joint 2) may be there, too (probability 58 %): " + shownParameter("backlash", half_width);
   EXPECT_NE(report.summary.find(words), std::string::npos) << report.summary;
   EXPECT_NE(report.summary.find("; moves joint 2 by "), std::string::npos) << report.summary;
 }

@@ -11,8 +11,8 @@ class QSettings;
 
 namespace capstan::widgets {
 
-/// Input of a diagnosis. The settings keep tolerance and effort only: recordings of an earlier day, their units
-/// and their robot would pass for those that are open now.
+/// Input of a diagnosis. The settings keep tolerance and effort only: recordings of an earlier day, their
+/// units and their robot would pass for those that are open now.
 struct DiagnosisChoice {
   QStringList recordings = {};  ///< recordings of one robot, or one table of tip poses: absolute paths
   QString robot = {};           ///< robot file; empty: the recordings' own, or the left RAVEN-II

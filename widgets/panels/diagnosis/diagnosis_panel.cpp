@@ -217,7 +217,8 @@ void DiagnosisPanel::onCandidate() {
 
 void DiagnosisPanel::useRobot() {
   if (!report()) return;
-  const QString of = of_.recordings.isEmpty() ? QString() : tr(" (diagnosed: %1)").arg(fileNamesOf(of_.recordings));
+  const QString of =
+      of_.recordings.isEmpty() ? QString() : tr(" (diagnosed: %1)").arg(fileNamesOf(of_.recordings));
   Q_EMIT robotChosen(report_->extended,
                      tr("extended robot in use, errors restarted: %1%2").arg(headlineOf(*report_), of));
   said_ = tr("The running session uses the extended robot; its errors restart.");

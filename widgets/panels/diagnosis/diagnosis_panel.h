@@ -39,8 +39,8 @@ class DiagnosisPanel : public WorkPanel {
   /// Offers a complete recording of the session; `words`: text of the button that chooses it; `read_as`: its
   /// units. Empty path: none.
   void offer(const QString& path, const QString& words, const QString& read_as = {});
-  /// Chooses the recording that the window has opened, its robot file (empty: its own) and its units, unless the
-  /// user has chosen others or a report of the former one is shown.
+  /// Chooses the recording that the window has opened, its robot file (empty: its own) and its units, unless
+  /// the user has chosen others or a report of the former one is shown.
   void preselect(const QString& path, const QString& robot, const QString& read_as = {});
   /// Sets the running session, whose robot the extended robot may replace.
   void setSession(const RunningSession& session);

@@ -24,7 +24,8 @@ EffortBox::EffortBox(QWidget* parent) : QWidget(parent), box_(new QComboBox) {
   box_->setObjectName("effort");
   box_->setAccessibleName(tr("effort of the search for causes"));
   box_->setToolTip(
-      tr("Multiplies the limit of the search for causes. ×1 is enough for most arms of three joints; more where the "
+      tr("Multiplies the limit of the search for causes. ×1 is enough for most arms of three joints; more "
+         "where the "
          "report says that the search ended at its limit. Tables of tip poses do not use it."));
   for (const double effort : {0.25, 1.0, 2.0, 4.0, 16.0}) box_->addItem(textOf(effort), effort);
   setEffort(1.0);

@@ -27,13 +27,14 @@ void setTicks(QTreeWidgetItem& item, int column, const IntervalAxis& axis, const
 }
 
 /// Numbers of the ticks at `x`, each within the cell.
-void drawNumbers(QPainter* painter, const QRect& cell, const QStringList& numbers, const std::vector<double>& x) {
+void drawNumbers(QPainter* painter, const QRect& cell, const QStringList& numbers,
+                 const std::vector<double>& x) {
   std::vector<double> centre, width;
   for (int i = 0; i < numbers.size(); ++i) {
     width.push_back(QFontMetricsF(painter->font()).horizontalAdvance(numbers[i]));
-    const double left = std::clamp(x[static_cast<std::size_t>(i)] - 0.5 * width.back(),
-                                   static_cast<double>(cell.left()),
-                                   std::max<double>(cell.left(), cell.right() - width.back()));
+    const double left =
+        std::clamp(x[static_cast<std::size_t>(i)] - 0.5 * width.back(), static_cast<double>(cell.left()),
+                   std::max<double>(cell.left(), cell.right() - width.back()));
     centre.push_back(left + 0.5 * width.back());
   }
   for (const int i : numbersDrawn(centre, width)) {

@@ -18,9 +18,9 @@ struct IntervalAxis {
   static IntervalAxis to(double reach);
 };
 
-/// Which of the numbers at an axis are drawn, so that none touches another: every number, else every second, and
-/// so on; the first and the last if no other fits, and at least the last. `centre`, `width`: of each number [px],
-/// from left to right.
+/// Which of the numbers at an axis are drawn, so that none touches another: every number, else every second,
+/// and so on; the first and the last if no other fits, and at least the last. `centre`, `width`: of each
+/// number [px], from left to right.
 std::vector<int> numbersDrawn(const std::vector<double>& centre, const std::vector<double>& width);
 
 /// Delegate that draws in a cell two values with their intervals, one above the other: before as a square,

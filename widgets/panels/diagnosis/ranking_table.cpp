@@ -37,8 +37,9 @@ RankingTable::RankingTable(QWidget* parent) : QTreeWidget(parent) {
   setColumnCount(kColumns);
   setHeaderLabels({tr("candidate"), tr("trial fit\nremoves"), tr("trial\nscore"), tr("final\nprobability")});
   headerItem()->setToolTip(
-      kTaken, tr("Share of the mean square of the round's residual that a short trial fit with the effect removes; "
-                 "outlined: prediction of the score test for candidates without a trial fit"));
+      kTaken,
+      tr("Share of the mean square of the round's residual that a short trial fit with the effect removes; "
+         "outlined: prediction of the score test for candidates without a trial fit"));
   headerItem()->setToolTip(
       kScore, tr("Log-likelihood of a short trial fit with the effect minus that without it [nats]"));
   headerItem()->setToolTip(kProbability, wrappedTip(diagnosis::rankingNote()));

@@ -90,15 +90,16 @@ void RefitTable::fill() {
 
 /// Why the number is emphasised, or not.
 QString RefitTable::tipOf(const diagnosis::RefitNumber& number) const {
-  const QString sigmas = number.sigma > 0.0 ? tr(" (%1 standard deviations)")
-                                                  .arg(std::abs(number.value - number.nominal) / number.sigma,
-                                                       0, 'f', 1)
-                                            : QString();
+  const QString sigmas = number.sigma > 0.0
+                             ? tr(" (%1 standard deviations)")
+                                   .arg(std::abs(number.value - number.nominal) / number.sigma, 0, 'f', 1)
+                             : QString();
   const QString remark = QString::fromStdString(diagnosis::refitRemark(number, tolerance_)) + sigmas;
-  return number.material ? tr("Bold: changed by more than two standard deviations, and the change alone moves a "
-                              "joint by more than the tolerance; %1")
-                               .arg(remark)
-                         : remark;
+  return number.material
+             ? tr("Bold: changed by more than two standard deviations, and the change alone moves a "
+                  "joint by more than the tolerance; %1")
+                   .arg(remark)
+             : remark;
 }
 
 void RefitTable::addNumber(const diagnosis::RefitNumber& number) {

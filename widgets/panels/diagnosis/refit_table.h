@@ -9,8 +9,8 @@ namespace capstan::widgets {
 
 /// Parameters of the nominal model after the refit, in two columns: refitted without the effects and together
 /// with them; one column if the model has no effects. Parameters whose change is significant and material
-/// are first and bold, then those that moved. If a parameter is at the limit that the refit allows, its change
-/// says so.
+/// are first and bold, then those that moved. If a parameter is at the limit that the refit allows, its
+/// change says so.
 class RefitTable : public QTreeWidget {
   Q_OBJECT
 

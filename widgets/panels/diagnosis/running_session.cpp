@@ -37,9 +37,9 @@ QString fileNamesOf(const QStringList& paths) {
 }
 
 UseOffer useOffer(const diagnosis::Report& report, const DiagnosisChoice& of, const RunningSession& session) {
-  const bool own = of.recordings.isEmpty() ||
-                   (!session.recording.isEmpty() &&
-                    of.recordings.contains(QFileInfo(session.recording).absoluteFilePath()));
+  const bool own =
+      of.recordings.isEmpty() || (!session.recording.isEmpty() &&
+                                  of.recordings.contains(QFileInfo(session.recording).absoluteFilePath()));
   UseOffer offer;
   offer.words =
       own ? QObject::tr("Use this robot") : QObject::tr("Use robot of %1").arg(shortNamesOf(of.recordings));
@@ -48,9 +48,8 @@ UseOffer useOffer(const diagnosis::Report& report, const DiagnosisChoice& of, co
   if (!offer.enabled) return offer;
   offer.tip = QObject::tr("The running session uses it from now on; errors restart (Ctrl+Shift+Return)");
   if (own) return offer;
-  const QString open = session.recording.isEmpty()
-                           ? QObject::tr("a simulated or live %1").arg(session.arm)
-                           : QFileInfo(session.recording).fileName();
+  const QString open = session.recording.isEmpty() ? QObject::tr("a simulated or live %1").arg(session.arm)
+                                                   : QFileInfo(session.recording).fileName();
   offer.tip += QObject::tr("\nDiagnosed: %1. Open: %2, the same arm by its name.")
                    .arg(fileNamesOf(of.recordings), open);
   return offer;
