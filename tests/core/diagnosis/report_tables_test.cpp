@@ -194,12 +194,12 @@ TEST(ReportTables, WhatAnEffectMoves) {
 TEST(ReportTables, TheDisplacementOfTheTipIsOneLine) {
   Report report;
   EXPECT_EQ(tipText(report), "");
-  Cause cause{.effect = "backlash", .joint = 2};
+  Cause cause{.effect = "backlash", .joint = 2, .parameters = {}};
   report.causes = {cause};
   EXPECT_EQ(tipText(report), "") << "it does not move the tip";
   report.causes[0].moves.tip = {1.9e-3, 4.2e-3, true};
   EXPECT_EQ(tipText(report), "Tip displacement: 1.90 mm RMS (largest 4.20 mm).");
-  report.causes.push_back({.effect = "camera_latency"});
+  report.causes.push_back({.effect = "camera_latency", .parameters = {}});
   report.causes[1].moves.tip = {1e-3, 3e-3, true};
   EXPECT_EQ(tipText(report), "Tip displacement: 1.90 mm RMS (largest 4.20 mm) by " + titleOf("backlash") +
                                  " (joint 2); 1.00 mm RMS (largest 3.00 mm) in the cameras' view by " +
