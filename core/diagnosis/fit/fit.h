@@ -35,7 +35,8 @@ class FitData {
   /// Work of all calls of simulate() until now: integration steps × joints of all robots (rigid drives: ×
   /// joints²). The same on every machine.
   double work() const { return work_; }
-  /// Sets what is called with work() before each simulation, on the thread that asks for it; empty: nothing.
+  /// Sets what is called with the work done until now after each part of a simulation, by one thread at a
+  /// time; empty: nothing.
   void onWork(std::function<void(double)> report) const { on_work_ = std::move(report); }
   /// True if the zeros of the joint encoders are unknown and are fitted.
   bool zerosFree() const { return zeros_ != EncoderZeros::kKnown; }

@@ -4,7 +4,7 @@ namespace capstan::diagnosis {
 namespace {
 
 /// Integration steps per row and joint that a search takes, about: what is expected before its first step.
-constexpr double kFirstSteps = 3000.0;
+constexpr double kFirstSteps = 2000.0;
 
 }  // namespace
 
