@@ -233,7 +233,7 @@ Table rankingTable(const Report& report, std::size_t most) {
                    number("trial removes", "%", 1, NumberStyle::kFixed),
                    number("trial score", "nats", 1, NumberStyle::kFixed),
                    text("final probability [%]"),
-                   text("model")};
+                   text("in the model")};
   table.columns.front().grouped = true;
   const std::vector<Candidate> all = rankedCandidates(report);
   std::size_t in_round = 0, excluded = 0;
@@ -249,11 +249,11 @@ Table rankingTable(const Report& report, std::size_t most) {
     table.rows.push_back({static_cast<double>(one.round), titleOf(one.effect),
                           shownJoint(one.effect, one.joint), 100.0 * one.screened,
                           one.refitted ? 100.0 * one.reduction : kNaN, one.refitted ? one.score : kNaN,
-                          std::move(probability), isInModel(report, one) ? "●" : ""});
+                          std::move(probability), isInModel(report, one) ? "yes" : "no"});
   }
   table.note =
       "Predicted, and trial removes: share of the mean square of the round's residual, by the score test "
-      "and by a trial fit. Trial score: gain of log likelihood. ●: effect of the model. " +
+      "and by a trial fit. Trial score: gain of log likelihood. " +
       rankingNote();
   if (excluded > 0) table.note += fmt::format(" {} more effects have a smaller prediction.", excluded);
   return table;

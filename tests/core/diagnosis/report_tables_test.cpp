@@ -119,11 +119,11 @@ TEST(ReportTables, RankingAgreesWithTheVerdict) {
   const std::size_t final = columnOf(table, "final probability [%]");
   EXPECT_EQ(table.rows[0][1].text, titleOf("backlash"));
   EXPECT_EQ(table.rows[0][final].text, "97");
-  EXPECT_EQ(table.rows[0].back().text, "●");
+  EXPECT_EQ(table.rows[0].back().text, "yes");
   EXPECT_EQ(table.rows[1][1].text, titleOf("gravity_tilt")) << "by its probability, before those of none";
   EXPECT_EQ(table.rows[1][final].text, "68");
   EXPECT_EQ(table.rows[2][final].text, "< 1") << "not 0: it was fitted to the end";
-  EXPECT_EQ(table.rows[2].back().text, "");
+  EXPECT_EQ(table.rows[2].back().text, "no");
   EXPECT_EQ(table.rows[3][final].text, "–");
   EXPECT_NE(table.note.find(rankingNote()), std::string::npos);
 }
