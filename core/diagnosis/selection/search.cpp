@@ -42,7 +42,7 @@ class Search {
         options_(options),
         progress_(progress),
         fitter_(data),
-        shown_(data, recordings, progress, options.progress_end) {}
+        shown_(data, recordings, progress, options.progress_end, options.effort * kMostWork) {}
 
   SearchResult run(const FitModel& nominal, const Fit* start) {
     report("Refitting the nominal structure");

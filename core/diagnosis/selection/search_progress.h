@@ -10,19 +10,19 @@
 namespace capstan::diagnosis {
 
 /// Progress of a search over sets of effects, from the caller's present fraction to `end`, by the work of its
-/// simulations. `progress` null: nobody watches.
+/// simulations. `progress` null: nobody watches. `limit`: work after which the search begins no further fits.
 class SearchProgress {
  public:
   SearchProgress(const FitData& data, const std::vector<Evidence>& recordings, base::Progress* progress,
-                 double end);
+                 double end, double limit);
   ~SearchProgress() { data_.onWork({}); }
   SearchProgress(const SearchProgress&) = delete;
   SearchProgress& operator=(const SearchProgress&) = delete;
 
   void report(const std::string& doing);
-  /// A step of the search begins. The work that is left is that of `steps` more steps, as large as those
-  /// until now.
-  void beginStep(int steps) { work_.expect(steps * data_.work() / ++steps_); }
+  /// A step of the search begins, `steps` with it are left. The last one is expected to be a fit as the first
+  /// one, the others as large as the steps until now.
+  void beginStep(int steps);
 
  private:
   void show(double work);
@@ -30,6 +30,7 @@ class SearchProgress {
   const FitData& data_;
   base::Progress* progress_;
   double begin_, end_;
+  double first_fit_ = 0.0;  ///< work of the first fit
   int steps_ = 0;
   WorkProgress work_;
   std::string doing_;

@@ -18,7 +18,7 @@ TEST(SearchProgress, GrowsWithEveryPartOfASimulation) {
   const FitModel nominal(planted.robot, jointScales(planted.evidence, planted.robot));
   base::Progress progress;
   progress.report(0.1, "before");
-  SearchProgress shown(data, planted.evidence, &progress, 0.7);
+  SearchProgress shown(data, planted.evidence, &progress, 0.7, 1e12);
   shown.report("refitting");
   EXPECT_EQ(progress.fraction(), 0.1);
   EXPECT_EQ(progress.doing(), "refitting");
@@ -28,7 +28,8 @@ TEST(SearchProgress, GrowsWithEveryPartOfASimulation) {
   EXPECT_LT(first, 0.6);
   shown.beginStep(2);
   SetFitter(data).nominal(nominal, Eigen::VectorXd::Zero(nominal.size()));
-  EXPECT_NEAR((progress.fraction() - first) / (0.7 - first), 0.5, 0.05) << "one of two steps of equal work";
+  EXPECT_NEAR((progress.fraction() - first) / (0.7 - first), 1.0 / 6.0, 0.04)
+      << "an expansion of five times the fit is expected, and a fit";
 }
 
 TEST(SearchProgress, CountsAllWorkOfASimulationOnce) {

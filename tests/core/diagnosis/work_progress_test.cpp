@@ -8,39 +8,66 @@
 namespace capstan::diagnosis {
 namespace {
 
-TEST(WorkProgress, IsLinearWhereTheExpectationHolds) {
+TEST(WorkProgress, BeginsEvenlyByTheExpectation) {
   WorkProgress progress;
-  progress.expect(10.0);
-  for (int done = 1; done <= 8; ++done) EXPECT_NEAR(progress.advance(done), 0.1 * done, 1e-12) << done;
+  progress.expect(30.0);
+  for (int done = 1; done <= 10; ++done) EXPECT_NEAR(progress.advance(done), done / 30.0, 1e-12) << done;
 }
 
 TEST(WorkProgress, NeverStandsAndNeverReachesTheEnd) {
   WorkProgress progress;
   progress.expect(10.0);
   double last = 0.0;
-  for (int done = 1; done <= 40; ++done) {
+  for (int done = 1; done <= 200; ++done) {
     const double now = progress.advance(done);
     EXPECT_GT(now, last) << done;
     EXPECT_LT(now, 1.0) << done;
     last = now;
   }
-  EXPECT_EQ(progress.advance(40.0), last) << "no work, no progress";
+  EXPECT_EQ(progress.advance(200.0), last) << "no work, no progress";
+}
+
+/// Twenty times the expected work: each doubling still moves it.
+TEST(WorkProgress, KeepsRoomForMoreThanIsExpected) {
+  WorkProgress progress;
+  progress.expect(10.0);
+  double before = 0.0;
+  for (int done = 1; done <= 160; ++done) {
+    const double now = progress.advance(done);
+    if (done == 20 || done == 40 || done == 80 || done == 160) {
+      EXPECT_GT(now - before, 0.07) << done;
+      before = now;
+    }
+  }
+}
+
+TEST(WorkProgress, IsEvenTowardsItsLimit) {
+  WorkProgress progress(100.0);
+  progress.expect(10.0);
+  double at_80 = 0.0, at_90 = 0.0, at_98 = 0.0;
+  for (int done = 1; done <= 98; ++done) {
+    const double now = progress.advance(done);
+    if (done == 80) at_80 = now;
+    if (done == 90) at_90 = now;
+    if (done == 98) at_98 = now;
+  }
+  EXPECT_NEAR((at_90 - at_80) / 10.0, (at_98 - at_90) / 8.0, 1e-9);
+  EXPECT_GT(at_98, 0.95);
+  EXPECT_LT(progress.advance(130.0), 1.0) << "what was begun is finished";
 }
 
 TEST(WorkProgress, GoesOnMoreSlowlyWhereMoreIsExpected) {
   WorkProgress progress;
-  progress.expect(10.0);
-  const double half = progress.advance(5.0);
-  EXPECT_NEAR(half, 0.5, 1e-12);
-  progress.expect(10.0);  // twice what was left
-  EXPECT_NEAR(progress.advance(6.0), 0.55, 1e-12);
-  EXPECT_NEAR(progress.advance(7.0), 0.60, 1e-12);
+  progress.expect(30.0);
+  EXPECT_NEAR(progress.advance(5.0), 1.0 / 6.0, 1e-12);
+  progress.expect(50.0);  // twice what was left
+  EXPECT_NEAR(progress.advance(6.0), 1.0 / 6.0 + 5.0 / 6.0 / 50.0, 1e-12);
 }
 
 TEST(WorkProgress, APieceThatIsLargerThanAllThatWasExpectedLeavesARest) {
   WorkProgress progress;
   progress.expect(1.0);
-  EXPECT_LT(progress.advance(100.0), 0.9);
+  EXPECT_LT(progress.advance(100.0), 0.4);
 }
 
 TEST(ProgressShare, GoesOnFromThePresentFraction) {
