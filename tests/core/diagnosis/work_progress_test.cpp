@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/base/progress_share.h"
 
 namespace capstan::diagnosis {
@@ -27,17 +29,18 @@ TEST(WorkProgress, NeverStandsAndNeverReachesTheEnd) {
   EXPECT_EQ(progress.advance(200.0), last) << "no work, no progress";
 }
 
-/// Twenty times the expected work: each doubling still moves it.
+/// Beyond the expectation twice the work done may be left: dr/r = -dw / (2 w), so that a doubling of the work
+/// leaves 1/√2 of the remainder.
 TEST(WorkProgress, KeepsRoomForMoreThanIsExpected) {
   WorkProgress progress;
   progress.expect(10.0);
   double before = 0.0;
-  for (int done = 1; done <= 160; ++done) {
-    const double now = progress.advance(done);
-    if (done == 20 || done == 40 || done == 80 || done == 160) {
-      EXPECT_GT(now - before, 0.07) << done;
-      before = now;
-    }
+  for (int k = 1; k <= 16000; ++k) {
+    const double left = 1.0 - progress.advance(0.01 * k);
+    if (k == 2000) before = left;
+    if (k != 4000 && k != 8000 && k != 16000) continue;
+    EXPECT_NEAR(left / before, std::sqrt(0.5), 1e-3) << k;
+    before = left;
   }
 }
 
