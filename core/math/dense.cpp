@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "core/base/check.h"
+#include "core/math/blas_kernels.h"
 
 // LAPACK functions in OpenBLAS, declared here by their Fortran names: no further header is needed.
 extern "C" {
@@ -15,6 +16,8 @@ void dlauum_(const char* uplo, const int* n, double* a, const int* lda, int* inf
 
 namespace capstan::math {
 namespace {
+
+[[maybe_unused]] const bool kernels_chosen = (chooseBlasKernels(), true);  // before main()
 
 int size(Eigen::Index n) { return static_cast<int>(n); }
 

@@ -4,7 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
+#include <cstdlib>
 #include <limits>
+
+#include "core/math/blas_kernels.h"
+#include "core/math/instruction_set.h"
 
 namespace capstan::math {
 namespace {
@@ -12,6 +16,11 @@ namespace {
 Eigen::MatrixXd positiveDefinite(Eigen::Index n) {
   const Eigen::MatrixXd a = Eigen::MatrixXd::Random(n, n);
   return a * a.transpose() + Eigen::MatrixXd::Identity(n, n);
+}
+
+TEST(Dense, usesTheProcessorsInstructions) {
+  if (!isAvailable(InstructionSet::kAvx2) || std::getenv("OPENBLAS_CORETYPE")) GTEST_SKIP();
+  EXPECT_NE(blasKernels(), "Prescott") << "SSE3, of 2004";
 }
 
 TEST(Dense, factorisesAndInverts) {
