@@ -18,6 +18,7 @@ SearchProgress::SearchProgress(const FitData& data, const std::vector<Evidence>&
       progress_(progress),
       begin_(progress ? progress->fraction() : 0.0),
       end_(end),
+      before_(data.work()),
       work_(limit) {
   double rows = 0.0;
   for (const Evidence& evidence : recordings)
@@ -32,7 +33,7 @@ void SearchProgress::report(const std::string& doing) {
 }
 
 void SearchProgress::beginStep(int steps) {
-  const double done = data_.work();
+  const double done = data_.work() - before_;
   if (steps_ == 0) first_fit_ = done;
   const double each =
       steps_ > 0 ? std::max((done - first_fit_) / steps_, first_fit_) : kExpansion * first_fit_;
@@ -41,7 +42,7 @@ void SearchProgress::beginStep(int steps) {
 }
 
 void SearchProgress::show(double work) {
-  progress_->report(begin_ + work_.advance(work) * (end_ - begin_), doing_);
+  progress_->report(begin_ + work_.advance(work - before_) * (end_ - begin_), doing_);
 }
 
 }  // namespace capstan::diagnosis

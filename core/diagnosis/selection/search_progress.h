@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -10,11 +11,12 @@
 namespace capstan::diagnosis {
 
 /// Progress of a search over sets of effects, from the caller's present fraction to `end`, by the work of its
-/// simulations. `progress` null: nobody watches. `limit`: work after which the search begins no further fits.
+/// simulations from now on. `progress` null: nobody watches. `limit`: work after which the search begins no
+/// further fits.
 class SearchProgress {
  public:
   SearchProgress(const FitData& data, const std::vector<Evidence>& recordings, base::Progress* progress,
-                 double end, double limit);
+                 double end, double limit = std::numeric_limits<double>::infinity());
   ~SearchProgress() { data_.onWork({}); }
   SearchProgress(const SearchProgress&) = delete;
   SearchProgress& operator=(const SearchProgress&) = delete;
@@ -30,6 +32,7 @@ class SearchProgress {
   const FitData& data_;
   base::Progress* progress_;
   double begin_, end_;
+  double before_;           ///< work that was done before
   double first_fit_ = 0.0;  ///< work of the first fit
   int steps_ = 0;
   WorkProgress work_;
