@@ -50,9 +50,10 @@ std::string commanded(const char* name, std::string_view words) {
   return words.empty() ? std::string() : wrapped(fmt::format("{}: {}", name, words), 2);
 }
 
-std::string causeBlock(const Cause& cause) {
+/// `among`: what the probability is relative to; empty: it is that of the effect.
+std::string causeBlock(const Cause& cause, const char* among = "") {
   std::string text = wrapped(diagnosis::causeText(cause));
-  text += wrapped(fmt::format("probability {:.0f} %", 100.0 * cause.probability), 2);
+  text += wrapped(fmt::format("probability {:.0f} %{}", 100.0 * cause.probability, among), 2);
   if (!cause.moves.joints.empty()) text += wrapped(diagnosis::movesText(cause), 2);
   if (!cause.gain.channel.empty()) text += wrapped(diagnosis::gainText(cause.gain), 2);
   if (const diagnosis::HypothesisWords* words = diagnosis::wordsOf(cause.effect))
@@ -74,7 +75,7 @@ std::string causesText(const Report& report) {
     if (!isTied(report, cause)) text += causeBlock(cause);
   for (const diagnosis::Tie& tie : report.ties) {
     text += "One of these causes, which the recordings cannot distinguish:\n\n";
-    for (const Cause& cause : tie.causes) text += causeBlock(cause);
+    for (const Cause& cause : diagnosis::mostProbableFirst(tie)) text += causeBlock(cause, " among these");
     if (!tie.separate.empty()) text += wrapped("What would distinguish them: " + tie.separate) + "\n";
   }
   return text;
@@ -135,10 +136,10 @@ std::string plainText(const base::Table& table) {
 }
 
 std::string textOf(const Report& report) {
-  std::string text = report.cancelled
-                         ? "Cancelled: no verdict. Results until then:\n\n"
-                         : wrapped(report.summary) + "\n" + causesText(report) + alsoMeasurableText(report) +
-                               unexplainedText(report) + nextText(report);
+  std::string text = report.cancelled ? "Cancelled: no verdict. Results until then:\n\n"
+                                      : wrapped(report.summary) + wrapped(diagnosis::tipText(report)) + "\n" +
+                                            causesText(report) + alsoMeasurableText(report) +
+                                            unexplainedText(report) + nextText(report);
   if (!report.channels.empty()) text += plainText(diagnosis::channelTable(report)) + "\n";
   if (!report.explainable.empty()) text += plainText(diagnosis::explainableTable(report)) + "\n";
   if (report.posterior.size() > 1) text += plainText(diagnosis::posteriorTable(report, kRanked)) + "\n";

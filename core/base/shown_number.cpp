@@ -31,15 +31,48 @@ void replaceAll(std::string& text, std::string_view what, std::string_view with)
     text.replace(at, what.size(), with);
 }
 
-/// Number with fixed decimals, or with a power of ten if it is large or needs too many decimals.
-std::string number(double value, int decimals) {
+/// Decimals and common power of ten of a value and its sigma.
+struct Format {
+  int decimals = 0;  ///< of value / 10^exponent; negative: rounded to tens, hundreds …
+  int exponent = 0;
+};
+
+double rounded(double value, int decimals) {
+  const double power = std::pow(10.0, decimals);
+  return std::round(value * power) / power;
+}
+
+/// Decimals for `digits` digits of `value` after rounding: two of 0.0996 are 0.10, not 0.100.
+int decimalsOf(double value, int digits) {
+  const int decimals = significantDecimals(value, digits);
+  return std::min(decimals, significantDecimals(rounded(value, decimals), digits));
+}
+
+/// A power of ten if the larger number is large or its decimals are many.
+Format formatOf(double largest, int decimals) {
   constexpr int kMost = 6;
   constexpr double kFar = 1e6;
-  const bool far = std::abs(value) >= kFar || decimals > kMost;
-  std::string text =
-      far ? fmt::format("{:.2e}", value) : fmt::format("{:.{}f}", value, std::max(decimals, 0));
+  if (largest == 0.0 || (largest < kFar && decimals <= kMost)) return {decimals, 0};
+  const int exponent = -significantDecimals(rounded(largest, decimals), 1);
+  return {decimals + exponent, exponent};
+}
+
+std::string number(double value, const Format& format) {
+  value *= std::pow(10.0, -format.exponent);
+  if (format.decimals < 0) value = rounded(value, format.decimals);
+  std::string text = fmt::format("{:.{}f}", value, std::max(format.decimals, 0));
   if (text.starts_with('-') && text.find_first_of("123456789") == std::string::npos) text.erase(0, 1);  // −0
   return withMinus(std::move(text));
+}
+
+/// "·10⁶"; empty for 10⁰.
+std::string powerOfTen(int exponent) {
+  constexpr std::array<std::string_view, 10> kDigits = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  if (exponent == 0) return {};
+  std::string text = "·10";
+  for (const char c : std::to_string(exponent))
+    text += c == '-' ? std::string_view("⁻") : kDigits[static_cast<std::size_t>(c - '0')];
+  return text;
 }
 
 }  // namespace
@@ -58,9 +91,13 @@ std::string shownNumber(double value, double sigma, const ShownUnit& unit) {
   sigma *= unit.scale;
   const std::string after = unit.unit.empty() ? std::string() : " " + unit.unit;
   if (!std::isfinite(value)) return "unknown";
-  if (!std::isfinite(sigma) || sigma <= 0.0) return number(value, significantDecimals(value, 3)) + after;
-  const int decimals = significantDecimals(sigma, 2);
-  return number(value, decimals) + " ± " + number(sigma, decimals) + after;
+  if (!std::isfinite(sigma) || sigma <= 0.0) {
+    const Format format = formatOf(std::abs(value), decimalsOf(value, 3));
+    return number(value, format) + powerOfTen(format.exponent) + after;
+  }
+  const Format format = formatOf(std::max(std::abs(value), sigma), decimalsOf(sigma, 2));
+  const std::string both = number(value, format) + " ± " + number(sigma, format);
+  return (format.exponent == 0 ? both : "(" + both + ")" + powerOfTen(format.exponent)) + after;
 }
 
 std::string shownNumber(double value, double sigma, std::string_view si) {

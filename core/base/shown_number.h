@@ -15,8 +15,10 @@ struct ShownUnit {
 /// typographic signs (N·m, s², µm/N).
 ShownUnit shownUnit(std::string_view si);
 
-/// Value with sigma, both in SI: "0.420 ± 0.031 mm", rounded to two significant digits of sigma; to three
-/// digits of the value if sigma is 0 or not finite. A value that is not finite is "unknown".
+/// Value with sigma, both in SI: "0.420 ± 0.031 mm". Sigma has two significant digits, and the value is
+/// rounded to the same decimal; to three digits of its own if sigma is 0 or not finite. Both have one power
+/// of ten if the larger one is 1e6 or more, or if they need more than six decimals: "(1.05 ± 0.15)·10⁶ N". A
+/// value that is not finite is "unknown".
 std::string shownNumber(double value, double sigma, const ShownUnit& unit);
 /// The same in shownUnit(si).
 std::string shownNumber(double value, double sigma, std::string_view si);

@@ -10,6 +10,7 @@
 #include "core/diagnosis/experiment_design/next_experiment.h"
 #include "core/diagnosis/filter_gain.h"
 #include "core/diagnosis/hypotheses/joint_scales.h"
+#include "core/diagnosis/selection/displacement.h"
 #include "core/diagnosis/selection/explainable.h"
 #include "core/diagnosis/selection/gains.h"
 #include "core/diagnosis/selection/horizons.h"
@@ -19,8 +20,9 @@
 namespace capstan::diagnosis {
 namespace {
 
-constexpr double kMoved = 2.0;     // distance from nominal that counts as moved [sigmas]
-constexpr double kAtBound = 1e-6;  // distance of u from its bound that counts as at the bound
+constexpr double kMoved = 2.0;        // distance from nominal that counts as moved [sigmas]
+constexpr double kFilterFrom = 0.95;  // progress where the comparison of Kalman filters begins
+constexpr double kAtBound = 1e-6;     // distance of u from its bound that counts as at the bound
 
 class Clock {
  public:
@@ -72,6 +74,20 @@ void addRefit(const FitData& data, const Selection& s, Report& report) {
     number.at_bound = std::abs(u - p.u(p.low)) < kAtBound || std::abs(u - p.u(p.high)) < kAtBound;
     number.moved = std::abs(value - p.start) > kMoved * number.sigma;
     report.refit.push_back(std::move(number));
+  }
+}
+
+/// Displacements by the nominal parameters that the refit moved.
+void addRefitMoves(const FitData& data, const Selection& s, const robot::Description& nominal,
+                   Report& report) {
+  std::vector<int> moved;
+  for (std::size_t k = 0; k < report.refit.size(); ++k)
+    if (report.refit[k].moved) moved.push_back(static_cast<int>(k));
+  const std::vector<Displacements> moves = displacementsByRefit(data, s.best, moved, nominal);
+  for (std::size_t i = 0; i < moved.size(); ++i) {
+    RefitNumber& number = report.refit[static_cast<std::size_t>(moved[i])];
+    number.moves = moves[i];
+    number.material = isMaterial(moves[i], report.material);
   }
 }
 
@@ -203,7 +219,7 @@ Report diagnose(const std::vector<Evidence>& recordings, const robot::Descriptio
   check(recordings, nominal, options);
   Report report;
   Clock clock(report.stages);
-  if (progress) progress->report(0.0, "Preparing");
+  if (progress) progress->report(progress->fraction(), "Preparing");
   const FitModel base(nominal, jointScales(recordings, nominal));
   clock.lap("prepare");
   const auto [fitted, selection] =
@@ -223,6 +239,7 @@ Report diagnose(const std::vector<Evidence>& recordings, const robot::Descriptio
   clock.lap("show");
   assembly.addLines();
   report.material = options.material;
+  if (options.show) addRefitMoves(data, selection, nominal, report);
   if (options.show || hasResidual(data, selection, options.material))
     report.explainable = explainableOf(data, selection, nominal, progress);
   clock.lap("explainable share");
@@ -238,11 +255,12 @@ Report diagnose(const std::vector<Evidence>& recordings, const robot::Descriptio
   if (!selection.complete)
     report.notices.push_back(
         fmt::format("The search for causes ended at its limit. Better combinations of causes may exist; "
-                    "--effort {:g} searches longer",
+                    "an effort of {:g} (--effort) searches longer",
                     std::max(1.0, 2.0 * options.effort)));
   for (const Evidence& evidence : recordings)
     report.notices.insert(report.notices.end(), evidence.notices.begin(), evidence.notices.end());
   if (options.show && options.filter) {
+    if (progress) progress->report(kFilterFrom, "Running the Kalman filter");
     addFilter(recordings, nominal, options, report, progress);
     clock.lap("filter");
   }

@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/base/progress_share.h"
 #include "core/robot/chain/chain_model.h"
 #include "core/stats/quantile.h"
 #include "core/tracking/extended_arm_model.h"
@@ -181,10 +182,11 @@ FilterGainReport filterGain(const std::vector<Evidence>& recordings, const Filte
   for (const robot::Description& robot : three) wait = std::max(wait, -delayOf(robot));
   std::array<std::vector<ErrorSums>, 3> sums;
   for (std::vector<ErrorSums>& of : sums) of.resize(files.size());
-  if (progress) progress->report(0.0, "Running the Kalman filter");
+  base::ProgressShare share(progress, 1.0, "Running the Kalman filter", 3 * files.size());
   base::parallelFor(3 * files.size(), options.threads, [&](std::size_t task) {
     const std::size_t robot = task % 3, file = task / 3;
     sums[robot][file] = errorsOf(*files[file], three[robot], wait, options.tracking, progress);
+    share.finished();
   });
   report.cancelled = progress && progress->cancelled();
   if (report.cancelled) return report;

@@ -73,7 +73,7 @@ Displacements movesOf(int joint, double rms, double tip) {
 Cause backlash(const Report& report, double probability) {
   return {.effect = "backlash",
           .joint = 2,
-          .parameters = {{"half_width", "m", 0.93e-3, 0.03e-3}},
+          .parameters = {{"half_width", "m", 0.93e-3, 0.03e-3, 1.0 / 0.062}},
           .probability = probability,
           .loss = 412.0,
           .moves = movesOf(2, 15e-3, 3.1e-3),
@@ -206,6 +206,7 @@ void addRefit(Report& report, const robot::Description& nominal) {
                   {"coulomb friction of joint 1", "N*m", coulomb, 1.02 * coulomb, 0.02 * coulomb, false,
                    false, 1.1 * coulomb},
                   {"mass of link 3", "kg", mass, 1.3 * mass, 0.01 * mass, true, true, 1.3 * mass}};
+  report.refit[0].moves = movesOf(2, 15e-3, 3.1e-3), report.refit[0].material = true;
   report.refitted = report.extended = nominal;
   for (robot::Description* robot : {&report.refitted, &report.extended})
     robot->drives[1].cable_stiffness = 0.82 * stiffness;

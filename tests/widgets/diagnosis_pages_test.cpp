@@ -2,11 +2,15 @@
 // tolerance, posterior, refit and gain; and the choices of tolerance and recording.
 #include <gmock/gmock.h>
 
+#include <QAction>
+#include <QComboBox>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QSettings>
 #include <QTemporaryDir>
+#include <QToolButton>
 #include <QTreeWidgetItemIterator>
 
 #include "tests/widgets/diagnosis_fixture.h"
@@ -88,6 +92,10 @@ TEST_F(Diagnosis, TheRefitHasAColumnWithoutAndOneWithTheEffects) {
   EXPECT_NE(stiffness.text(RefitTable::kWithout), stiffness.text(RefitTable::kNominal));
   EXPECT_THAT(stiffness.text(RefitTable::kValue).toStdString(), HasSubstr("±"));
   EXPECT_THAT(refit.topLevelItem(1)->text(RefitTable::kChange).toStdString(), HasSubstr("at its bound"));
+  EXPECT_TRUE(stiffness.font(RefitTable::kChange).bold()) << "significant and material";
+  EXPECT_THAT(stiffness.toolTip(RefitTable::kChange).toStdString(), HasSubstr("0.859 deg at joint 2"));
+  EXPECT_FALSE(refit.topLevelItem(1)->font(RefitTable::kChange).bold())
+      << "it moves no joint by the tolerance";
   panel->showReport(sample(Verdict::kNothing));
   EXPECT_TRUE(refit.isColumnHidden(RefitTable::kWithout)) << "both are the same";
 }
@@ -108,6 +116,16 @@ TEST_F(Diagnosis, TheGainIsDrawnOverAnAxis) {
   EXPECT_THAT(IntervalAxis::to(0.9).ticks, ::testing::ElementsAre(0.0, 0.5));
   EXPECT_THAT(IntervalAxis::to(4.0).ticks, ::testing::ElementsAre(0.0, 1.0, 2.0, 3.0, 4.0));
   EXPECT_THAT(IntervalAxis::to(0.0).ticks, ::testing::ElementsAre(0.0));
+}
+
+TEST_F(Diagnosis, NumbersAtTheAxisOfTheGainDoNotTouch) {
+  using ::testing::ElementsAre;
+  EXPECT_THAT(numbersDrawn({10, 50, 90, 130, 170}, {8, 20, 20, 20, 20}), ElementsAre(0, 1, 2, 3, 4));
+  EXPECT_THAT(numbersDrawn({10, 50, 90, 130, 170}, {8, 38, 38, 38, 38}), ElementsAre(0, 2, 4));
+  EXPECT_THAT(numbersDrawn({10, 25, 40, 55}, {8, 30, 30, 30}), ElementsAre(0, 2))
+      << "0, 0.0005, 0.001, 0.0015";
+  EXPECT_THAT(numbersDrawn({10, 20}, {8, 30}), ElementsAre(1)) << "the scale stays readable";
+  EXPECT_THAT(numbersDrawn({}, {}), ElementsAre());
 }
 
 TEST_F(Diagnosis, TheToleranceIsChangedInPlaceAndKept) {
@@ -154,6 +172,57 @@ TEST_F(Diagnosis, ARecordingIsPreselectedWhereNoneIsChosen) {
   panel->choose({.recordings = {"/a/one.csv", "/a/two.csv"}});
   panel->preselect("/a/third.capstan", "");
   EXPECT_EQ(panel->choice().recordings.size(), 2) << "what the user has chosen stays";
+}
+
+TEST_F(Diagnosis, TheEffortIsChosenAndKept) {
+  DiagnosisChoice asked;
+  show([&asked](const DiagnosisChoice& choice, base::Progress&) {
+    asked = choice;
+    return sample(Verdict::kFound);
+  });
+  panel->choose({.recordings = {"/a/one.csv"}});
+  auto* effort = panel->findChild<QComboBox*>("effort");
+  ASSERT_TRUE(effort);
+  EXPECT_EQ(effort->currentText(), QString::fromUtf8("×1"));
+  effort->setCurrentIndex(effort->findText(QString::fromUtf8("×4")));
+  panel->diagnose();
+  ASSERT_TRUE(waitFor([&] { return !panel->busy(); }));
+  EXPECT_EQ(asked.effort, 4.0);
+  EXPECT_TRUE(panel->report());
+  effort->setCurrentIndex(effort->findText(QString::fromUtf8("×16")));
+  EXPECT_FALSE(panel->report()) << "of another effort";
+  const QTemporaryDir folder;
+  QSettings settings(folder.filePath("settings.ini"), QSettings::IniFormat);
+  panel->choose({.effort = 3.0});
+  panel->save(settings);
+  show(nullptr);
+  panel->restore(settings);
+  EXPECT_EQ(panel->choice().effort, 3.0) << "also one that is not in the list";
+}
+
+TEST_F(Diagnosis, TheUnitsOfTheOpenRecordingAreThoseOfTheDiagnosis) {
+  panel->offer("/a/open.csv", "Open recording", "q_m=deg");
+  panel->preselect("/a/open.csv", "", "q_m=deg");
+  EXPECT_EQ(panel->choice().read_as, "q_m=deg");
+  auto* units = panel->findChild<QToolButton*>("units");
+  ASSERT_TRUE(units);
+  EXPECT_TRUE(units->isVisible());
+  EXPECT_THAT(units->toolTip().toStdString(), HasSubstr("q_m=deg"));
+  panel->showReport(sample(Verdict::kFound));
+  units->menu()->actions().at(0)->trigger();
+  EXPECT_EQ(panel->choice().read_as, "");
+  EXPECT_FALSE(panel->report()) << "read in other units";
+  panel->choose({.recordings = {"/a/one.csv"}});
+  EXPECT_EQ(panel->choice().read_as, "");
+  panel->findChild<QToolButton*>("offered")->click();
+  EXPECT_EQ(panel->choice().read_as, "q_m=deg") << "it comes with its recording";
+  const QTemporaryDir folder;
+  QSettings settings(folder.filePath("settings.ini"), QSettings::IniFormat);
+  panel->save(settings);
+  show(nullptr);
+  panel->restore(settings);
+  EXPECT_EQ(panel->choice().read_as, "") << "of an earlier recording";
+  EXPECT_FALSE(panel->findChild<QToolButton*>("units")->isVisible());
 }
 
 TEST_F(Diagnosis, RecordingsOfAnEarlierSessionAreForgotten) {

@@ -3,6 +3,8 @@
 
 #include <QComboBox>
 #include <QFile>
+#include <QFileDialog>
+#include <QLineEdit>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QToolButton>
@@ -42,6 +44,8 @@ TEST_F(Diagnosis, AFoundCauseHasANamePlaceSizeAndWorth) {
   EXPECT_THAT(causes(), HasSubstr("q2 on other data: 0.894"));
   EXPECT_THAT(causes(), HasSubstr("moves joint 2 by 0.859 deg RMS (largest 1.89 deg), "
                                   "the tip by 3.10 mm RMS (largest 6.82 mm)"));
+  EXPECT_TRUE(panel->summary().startsWith("Tip displacement: 3.10 mm RMS (largest 6.82 mm)."))
+      << panel->summary().toStdString();
   EXPECT_TRUE(card().contains("What would show it best:")) << card().toStdString();
   for (int page = 0; page < panel->pages().count(); ++page) {
     panel->pages().setCurrentIndex(page);
@@ -94,10 +98,12 @@ TEST_F(Diagnosis, CandidatesStandByRoundAndScoreAndShowTheirWords) {
   const QStringList lines = panel->pages().ranking().lines();
   ASSERT_EQ(lines.size(), 6);
   EXPECT_THAT(lines[0].toStdString(), HasSubstr("91 % | 412 | 97 %"));
-  EXPECT_THAT(lines[3].toStdString(), HasSubstr("1.0 % | — | —")) << "only screened";
+  EXPECT_THAT(lines[3].toStdString(), HasSubstr("1.0 % | — | –")) << "only screened";
+  EXPECT_TRUE(lines[0].startsWith("● ")) << lines[0].toStdString();
+  EXPECT_FALSE(lines[1].startsWith("● ")) << lines[1].toStdString();
   EXPECT_THAT(lines[4].toStdString(), HasSubstr("190"));
   panel->pages().setCurrentIndex(2);
-  auto* round = panel->pages().ranking().topLevelItem(0);
+  auto* round = panel->pages().ranking().topLevelItem(1);  // below the explanation of the columns
   panel->pages().ranking().setCurrentItem(round->child(2));
   EXPECT_EQ(panel->pages().ranking().chosen()->effect, "asymmetric_friction");
   EXPECT_TRUE(card().contains("candidate")) << card().toStdString();
@@ -107,7 +113,7 @@ TEST_F(Diagnosis, CandidatesStandByRoundAndScoreAndShowTheirWords) {
 TEST_F(Diagnosis, ATieSaysWhatWouldPartIt) {
   panel->showReport(sample(Verdict::kTie));
   EXPECT_THAT(headline(), HasSubstr("Cannot be distinguished"));
-  EXPECT_THAT(causes(), HasSubstr("One of these:"));
+  EXPECT_THAT(causes(), HasSubstr("One of these (probabilities relative to each other):"));
   EXPECT_THAT(panel->summary().toStdString(), HasSubstr("To distinguish them: Reverse joint 2"));
   EXPECT_EQ(QString::fromStdString(causes()).count("half width"), 1) << "the tied cause is listed once";
   test::grab(*panel, "diagnosis_panel_tie");
@@ -201,9 +207,12 @@ TEST_F(Diagnosis, TheExtendedRobotIsSavedAndUsedWhereItFits) {
   const Report& report = sample(Verdict::kFound);
   panel->showReport(report);
   EXPECT_FALSE(button("use_extended")->isEnabled()) << "no session";
-  panel->setSessionJoints(1);
+  EXPECT_THAT(button("use_extended")->toolTip().toStdString(), HasSubstr("No session is open"));
+  const QString arm = QString::fromStdString(report.extended.name);
+  panel->setSession({1, arm});
   EXPECT_FALSE(button("use_extended")->isEnabled()) << "another robot";
-  panel->setSessionJoints(3);
+  EXPECT_THAT(button("use_extended")->toolTip().toStdString(), HasSubstr("has 3 joints"));
+  panel->setSession({3, arm});
   ASSERT_TRUE(button("use_extended")->isEnabled());
   robot::Description used;
   QObject::connect(panel.get(), &DiagnosisPanel::robotChosen, panel.get(),
@@ -222,6 +231,31 @@ TEST_F(Diagnosis, TheExtendedRobotIsSavedAndUsedWhereItFits) {
             robot::formatDescription(report.extended));
 }
 
+TEST_F(Diagnosis, TheExtendedRobotSaysWhichRecordingItIsOf) {
+  const QString arm = QString::fromStdString(sample(Verdict::kFound).extended.name);
+  panel->choose({.recordings = {"/a/one.csv"}});
+  panel->showReport(sample(Verdict::kFound));
+  const QPushButton& use = *button("use_extended");
+  panel->setSession({3, arm, "/a/one.csv"});
+  EXPECT_EQ(use.text(), "Use this robot");
+  EXPECT_TRUE(use.isEnabled());
+  panel->setSession({3, arm, "/a/two.csv"});
+  EXPECT_EQ(use.text(), "Use robot of one.csv") << "another recording is open";
+  EXPECT_TRUE(use.isEnabled()) << "of the same arm";
+  EXPECT_THAT(use.toolTip().toStdString(), HasSubstr("Diagnosed: one.csv. Open: two.csv"));
+  panel->setSession({3, arm, {}});
+  EXPECT_EQ(use.text(), "Use robot of one.csv") << "a live arm";
+  panel->setSession({3, "another arm", "/a/two.csv"});
+  EXPECT_FALSE(use.isEnabled());
+  EXPECT_THAT(use.toolTip().toStdString(), HasSubstr("that of the open session is another arm"));
+  QString said;
+  QObject::connect(panel.get(), &DiagnosisPanel::robotChosen, panel.get(),
+                   [&](const robot::Description&, const QString& words) { said = words; });
+  panel->setSession({3, arm, "/a/two.csv"});
+  button("use_extended")->click();
+  EXPECT_THAT(said.toStdString(), HasSubstr("diagnosed: one.csv"));
+}
+
 TEST_F(Diagnosis, TheReportIsExportedFigureByFigure) {
   panel->showReport(sample(Verdict::kFound));
   const QTemporaryDir folder;
@@ -238,6 +272,22 @@ TEST_F(Diagnosis, TheReportIsExportedFigureByFigure) {
   EXPECT_FALSE(panel->busy());
   EXPECT_THAT(panel->words().toStdString(), HasSubstr("blocked"));
   EXPECT_EQ(exported.count(), 1);
+}
+
+TEST_F(Diagnosis, ANewFolderIsCreatedWhereItsNameIsTyped) {
+  panel->showReport(sample(Verdict::kFound));
+  const QTemporaryDir folder;
+  QSignalSpy exported(panel.get(), &DiagnosisPanel::exported);
+  button("export_report")->click();
+  auto* dialog = panel->findChild<QFileDialog*>();
+  ASSERT_TRUE(dialog);
+  dialog->setDirectory(folder.path());
+  auto* name = dialog->findChild<QLineEdit*>("fileNameEdit");
+  ASSERT_TRUE(name);
+  name->setText("new/report");
+  QTest::keyClick(name, Qt::Key_Return);
+  ASSERT_TRUE(waitFor([&] { return exported.count() == 1; })) << panel->words().toStdString();
+  EXPECT_TRUE(QFile::exists(folder.filePath("new/report/index.html")));
 }
 
 TEST_F(Diagnosis, TheJustRecordedTakesThePlaceOfTheChoice) {

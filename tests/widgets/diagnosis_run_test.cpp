@@ -67,6 +67,19 @@ TEST_F(DiagnosisRuns, TheToleranceOfTheWindowIsThatOfTheOption) {
   EXPECT_EQ(withoutTimes(report).dump(), withoutTimes(commandLine(file, {"--material", tolerance})).dump());
 }
 
+TEST_F(DiagnosisRuns, TheUnitsAndTheEffortOfTheWindowAreThoseOfTheOptions) {
+  const diagnosis::Evidence evidence = testing::sampleEvidence({.duration = 5.0}, 0);
+  recording::MeasuredTable table;
+  table.t = evidence.t, table.q_m = evidence.q_m, table.tau_m = evidence.tau_m, table.q = evidence.q;
+  for (auto& column : table.q_m)
+    for (double& q_m : column) q_m *= 180.0 / M_PI;
+  base::writeTextFile(path("degrees.csv"), recording::formatMeasuredTable(table));
+  const QString file = folder_.filePath("degrees.csv");
+  const nlohmann::json report = window(file, {.read_as = "q_m=deg", .effort = 0.25});
+  EXPECT_EQ(withoutTimes(report).dump(),
+            withoutTimes(commandLine(file, {"--read-as", "q_m=deg", "--effort", "0.25"})).dump());
+}
+
 TEST_F(DiagnosisRuns, OfATableOfTipPosesToo) {
   diagnosis::testing::PoseWorld late;
   late.trajectories = 40;

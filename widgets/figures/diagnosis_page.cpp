@@ -51,20 +51,21 @@ std::string verdictHtml(const Report& report) {
   std::string html = fmt::format("<div class=\"verdict {}\"><h2>{}</h2>\n", base::nameOf(report.verdict),
                                  htmlEscaped(verdictText(report.verdict)));
   html += paragraph(report.summary);
+  if (const std::string tip = diagnosis::tipText(report); !tip.empty()) html += paragraph(tip);
   return html + "</div>\n";
 }
 
 /// Description of a cause: joint, size, probability, displacement, gain, and explanation.
-std::string causeHtml(const Cause& cause) {
+std::string causeHtml(const Cause& cause, const char* probability = "Probability") {
   std::string html = "<section class=\"cause\"><h3>" +
                      htmlEscaped(diagnosis::titleOf(cause.effect) + ", " +
                                  diagnosis::shownJoint(cause.effect, cause.joint)) +
                      "</h3>\n";
   std::string size;
   for (const diagnosis::FoundParameter& parameter : cause.parameters)
-    size += (size.empty() ? "" : ", ") + diagnosis::shownParameter(parameter);
+    size += (size.empty() ? "" : ", ") + diagnosis::shownParameter(cause.effect, parameter);
   html += paragraph(size, "size");
-  html += "<dl>\n" + term("Probability", fmt::format("{:.0f} %", 100.0 * cause.probability));
+  html += "<dl>\n" + term(probability, fmt::format("{:.0f} %", 100.0 * cause.probability));
   if (!cause.moves.joints.empty()) html += term("Displacement", diagnosis::movesText(cause));
   if (!cause.gain.channel.empty()) html += term("Worth", diagnosis::gainText(cause.gain));
   if (const diagnosis::HypothesisWords* words = diagnosis::wordsOf(cause.effect))
@@ -81,7 +82,8 @@ std::string causesHtml(const Report& report) {
     for (const Cause& cause : report.causes) html += causeHtml(cause);
   for (const diagnosis::Tie& tie : report.ties) {
     html += "<h2>As good as each other</h2>\n";
-    for (const Cause& cause : tie.causes) html += causeHtml(cause);
+    for (const Cause& cause : diagnosis::mostProbableFirst(tie))
+      html += causeHtml(cause, "Probability among these");
     if (!tie.separate.empty()) html += "<h3>What would distinguish them</h3>\n" + paragraph(tie.separate);
   }
   // Causes that are not part of a tie, listed beside it.
@@ -147,7 +149,7 @@ std::string numbersHtml(const Report& report) {
   std::string html;
   if (!report.refit.empty()) html += htmlTable(diagnosis::refitTable(report));
   if (!report.posterior.empty()) html += barTable(diagnosis::posteriorTable(report), "probability");
-  if (!report.candidates.empty()) html += barTable(diagnosis::rankingTable(report), "probability");
+  if (!report.candidates.empty()) html += barTable(diagnosis::rankingTable(report), "final probability [%]");
   if (!report.filter.empty()) html += htmlTable(diagnosis::filterTable(report));
   return html;
 }

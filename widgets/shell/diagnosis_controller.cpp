@@ -44,10 +44,11 @@ void DiagnosisController::offerRecordings(SessionLink& link) {
   connect(&link, &SessionLink::opened, this,
           [this](const tracking::SourceInfo& info, const SourceChoice& choice) {
             now_ = info.begin;
-            panel_.setSessionJoints(info.robot.size());
+            panel_.setSession({info.robot.size(), QString::fromStdString(info.robot.name),
+                               choice.isRecording() ? choice.file : QString()});
             if (!choice.isRecording()) return;
-            panel_.offer(choice.file, tr("Open recording"));
-            panel_.preselect(choice.file, choice.robot);
+            panel_.offer(choice.file, tr("Open recording"), choice.read_as);
+            panel_.preselect(choice.file, choice.robot, choice.read_as);
           });
   connect(&link, &SessionLink::status, this, &DiagnosisController::onStatus);
 }

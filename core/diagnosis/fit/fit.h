@@ -1,7 +1,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "core/base/progress.h"
@@ -33,6 +35,9 @@ class FitData {
   /// Work of all calls of simulate() until now: integration steps × joints of all robots (rigid drives: ×
   /// joints²). The same on every machine.
   double work() const { return work_; }
+  /// Sets what is called with the work done until now after each part of a simulation, by one thread at a
+  /// time; empty: nothing.
+  void onWork(std::function<void(double)> report) const { on_work_ = std::move(report); }
   /// True if the zeros of the joint encoders are unknown and are fitted.
   bool zerosFree() const { return zeros_ != EncoderZeros::kKnown; }
 
@@ -77,6 +82,7 @@ class FitData {
   int blocks_ = 0, sensors_ = 0, threads_ = 1;
   bool rigid_ = false;
   mutable double work_ = 0.0;
+  mutable std::function<void(double)> on_work_;
   const base::Progress* progress_ = nullptr;
   EncoderZeros zeros_ = EncoderZeros::kKnown;
 };

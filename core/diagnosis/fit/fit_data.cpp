@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <mutex>
 
 #include "core/base/parallel.h"
 #include "core/diagnosis/fit/fit.h"
@@ -122,8 +123,12 @@ Eigen::MatrixXd FitData::simulate(const std::vector<robot::ChainModel>& models,
   std::vector<Group> groups;
   for (std::size_t r = 0; r < simulations_.size(); ++r)
     addGroups(*simulations_[r], r, models, family, groups);
-  for (const Group& group : groups)
-    work_ += static_cast<double>(group.members.size()) * workOf(*simulations_[group.recording], group.steps);
+  double done = work_;
+  std::mutex mutex;
+  const auto workOfGroup = [&](const Group& group) {
+    return static_cast<double>(group.members.size()) * workOf(*simulations_[group.recording], group.steps);
+  };
+  for (const Group& group : groups) work_ += workOfGroup(group);
   base::parallelFor(groups.size(), threads_, [&](std::size_t task) {
     const auto& [r, steps, members] = groups[task];
     std::vector<Robot> robots;
@@ -135,6 +140,9 @@ Eigen::MatrixXd FitData::simulate(const std::vector<robot::ChainModel>& models,
     for (std::size_t k = 0; k < members.size(); ++k)
       readings.col(static_cast<Eigen::Index>(members[k])).segment(first_[r], rows) =
           columns.col(static_cast<Eigen::Index>(k));
+    if (!on_work_) return;
+    const std::lock_guard lock(mutex);
+    on_work_(done += workOfGroup(groups[task]));
   });
   return readings;
 }

@@ -131,33 +131,37 @@ class Work {
     }
   }
 
-  Cause causeOf(const SelectedOf<PoseEffect>& selected, const Eigen::MatrixXd& covariance) const {
-    const PoseHypothesis& effect = *selected.effect.hypothesis;
+  /// Effect of a fit: parameters and displacement.
+  Cause sizeOf(const PoseFit& fit, const PoseHypothesis& effect, double probability,
+               const Eigen::MatrixXd& covariance) const {
     Cause cause;
     cause.effect = effect.name;
-    cause.probability = selected.probability;
-    cause.loss = selected.loss;
-    const Index place = selection_.best.placeOf(effect.name);
+    cause.probability = probability;
+    const Index place = fit.placeOf(effect.name);
     for (std::size_t i = 0; i < effect.size(); ++i) {
       const Index at = place + static_cast<Index>(i);
       const robot::EffectParameter& parameter = (*effect.parameters)[i];
-      cause.parameters.push_back({std::string(parameter.name), std::string(parameter.unit),
-                                  selection_.best.value[at],
-                                  withLawError(std::sqrt(covariance(at, at)), selection_.best.value[at])});
+      cause.parameters.push_back({std::string(parameter.name), std::string(parameter.unit), fit.value[at],
+                                  withLawError(std::sqrt(covariance(at, at)), fit.value[at])});
     }
-    cause.moves.tip = displacementBy(effect);
+    cause.moves.tip = displacementBy(fit, effect);
+    return cause;
+  }
+
+  Cause causeOf(const SelectedOf<PoseEffect>& selected, const Eigen::MatrixXd& covariance) const {
+    Cause cause = sizeOf(selection_.best, *selected.effect.hypothesis, selected.probability, covariance);
+    cause.loss = selected.loss;
     const int axis = largestReduction(selected.without, selection_.best_squares).channel;
     cause.gain = gainOf(comparedChannel(axis, noise_), selected.without, selection_.best_squares, axis);
     return cause;
   }
 
   /// Displacement of the measured tip by the effect; all other parameters are equal.
-  Displacement displacementBy(const PoseHypothesis& effect) const {
-    const PoseFit& best = selection_.best;
-    Eigen::VectorXd less = best.value;
-    less.segment(best.placeOf(effect.name), static_cast<Index>(effect.size())).setZero();
+  Displacement displacementBy(const PoseFit& fit, const PoseHypothesis& effect) const {
+    Eigen::VectorXd less = fit.value;
+    less.segment(fit.placeOf(effect.name), static_cast<Index>(effect.size())).setZero();
     const Eigen::VectorXd moved =
-        (residualOf(fitted_, numbersOf(best.effects, less)) - best.e).colwise().norm();
+        (residualOf(fitted_, numbersOf(fit.effects, less)) - fit.e).colwise().norm();
     return {std::sqrt(moved.squaredNorm() / static_cast<double>(std::max<Index>(1, moved.size()))),
             moved.size() > 0 ? moved.maxCoeff() : 0.0, true};
   }
@@ -167,6 +171,11 @@ class Work {
     for (const SelectedOf<PoseEffect>& one : selection_.effects)
       addCause(causeOf(one, covariance), one.without, selection_.best_squares, report_);
     addTies(selection_.competitors, report_);
+    if (selection_.uncertain.empty()) return;
+    const Eigen::MatrixXd of_most_probable = covarianceOf(fitted_, selection_.most_probable);
+    for (const UncertainOf<PoseEffect>& one : selection_.uncertain)
+      report_.uncertain.push_back(
+          sizeOf(selection_.most_probable, *one.effect.hypothesis, one.probability, of_most_probable));
   }
 
   void addChannels() {
@@ -216,7 +225,7 @@ class Work {
   void judge() {
     report_.explained = selection_.effects.empty() ? 0.0 : explained();
     report_.verdict = verdictOf(report_, hasResidual());
-    report_.summary = summary() + uncertainText(selection_.uncertain);
+    report_.summary = summary() + uncertainText(report_.uncertain);
   }
 
   std::string summary() const {
@@ -235,7 +244,7 @@ class Work {
     text += ".";
     if (!report_.causes.empty()) text += fmt::format(" Causes: {}.", causeNames(report_.causes));
     for (const Tie& tie : report_.ties)
-      text += fmt::format(" The table cannot distinguish {}.", causeNames(tie.causes));
+      text += fmt::format(" The table cannot distinguish {}.", causeNames(mostProbableFirst(tie)));
     if (report_.verdict == Verdict::kUnexplained) text += " No hypothesis explains the rest.";
     return text;
   }

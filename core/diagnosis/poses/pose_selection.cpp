@@ -134,6 +134,7 @@ class PoseSearch {
     const FittedSet& best = sets_.at(selected);
     PoseSelection s{.base = base_,
                     .best = fitPoses(data_, best.fit.effects, best.fit.value),
+                    .most_probable = {},
                     .base_squares = sets_.at({}).squares,
                     .best_squares = best.squares,
                     .effects = selectedOf(selected, best.squares, models(), posterior, score_),
@@ -141,6 +142,8 @@ class PoseSearch {
                     .competitors = {},
                     .posterior = windowOf(posterior),
                     .candidates = std::move(candidates_)};
+    const PoseFit& most = sets_.at(most_probable).fit;
+    s.most_probable = s.uncertain.empty() ? s.best : fitPoses(data_, most.effects, most.value);
     s.competitors = competitorsOf(selected, s.effects, posterior);
     for (const PoseEffect& effect : effects_)
       for (Candidate& candidate : s.candidates)

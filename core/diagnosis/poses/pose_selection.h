@@ -25,6 +25,7 @@ struct PoseEffect {
 struct PoseSelection {
   PoseFit base;                                        ///< fit without effects
   PoseFit best;                                        ///< fit with the selected effects
+  PoseFit most_probable;                               ///< with those of the most probable set
   BlockSquares base_squares, best_squares;             ///< held-out residuals of the two
   std::vector<SelectedOf<PoseEffect>> effects;         ///< effects with the largest loss first
   std::vector<UncertainOf<PoseEffect>> uncertain;      ///< not selected (kMinOddsWithout)

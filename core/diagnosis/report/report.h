@@ -27,6 +27,9 @@ enum class Verdict {
 struct FoundParameter {
   std::string name, unit;
   double value = 0.0, sigma = 0.0;  ///< estimate and its standard deviation, SI
+  /// For a length of the cable of a revolute joint: rotation of the joint per length, 1 / r_l [rad/m]; else
+  /// 0.
+  double joint_per_length = 0.0;
 };
 
 /// Reduction of one channel's RMS residual by a cause, on held-out data.
@@ -75,8 +78,9 @@ struct SetProbability {
 
 /// Effects that explain the recording equally well.
 struct Tie {
-  std::vector<Cause> causes;  ///< best first
-  std::string separate;       ///< the motion that would distinguish the causes
+  /// The cause of the model first. Cause::probability is relative: those of one tie add up to 1.
+  std::vector<Cause> causes;
+  std::string separate;  ///< the motion that would distinguish the causes
 };
 
 /// Parameter of the nominal model after the refit.
@@ -87,6 +91,8 @@ struct RefitNumber {
   bool at_bound = false;            ///< true if the estimate is at its bound
   bool moved = false;               ///< true if `value` differs from `nominal` by more than two sigmas
   double value_without = 0.0;       ///< estimate without any effect
+  Displacements moves = {};  ///< displacement by the change alone; joints empty: not moved, not computed
+  bool material = false;     ///< true if it moved and `moves` exceeds the tolerance
 };
 
 /// One hypothesis in the ranking of one round.
@@ -99,7 +105,7 @@ struct Candidate {
   double reduction = 0.0;  ///< largest reduction over the channels by a short refit; NaN: not refitted
   /// Log likelihood of the short refit with the effect minus that without it [nats]; NaN: not refitted.
   double score = 0.0;
-  double probability = 0.0;  ///< as Cause::probability
+  double probability = 0.0;  ///< as Cause::probability; exactly 0: no model fitted until convergence has it
 };
 
 /// Residuals of one sensor channel of one recording under the three models.
@@ -166,6 +172,9 @@ struct Report {
   std::string summary;                 ///< one or two sentences for people
   std::vector<Cause> causes;           ///< material effects, the largest Cause::loss first
   std::vector<Cause> also_measurable;  ///< effects below the tolerance or kMaterialShare
+  /// Effects of the most probable set that the model lacks, because the set without them is probable enough
+  /// (kMinOddsWithout). Their numbers are those of the most probable set; no gain.
+  std::vector<Cause> uncertain;
   Tolerance material;
   std::vector<Tie> ties;
   std::vector<SetProbability> posterior;  ///< the most probable set first

@@ -78,6 +78,8 @@ json refitJson(const std::vector<RefitNumber>& refit) {
                             {"without", number(one.value_without)},
                             {"unit", one.unit},
                             {"moved", one.moved},
+                            {"material", one.material},
+                            {"moves", movesJson(one.moves)},
                             {"at_bound", one.at_bound}};
   return all;
 }
@@ -174,9 +176,14 @@ json filterJson(const FilterGain& gain) {
 
 json jsonOf(const Cause& cause) {
   json parameters = json::object();
-  for (const FoundParameter& parameter : cause.parameters)
-    parameters[parameter.name] = {
-        {"value", number(parameter.value)}, {"sigma", number(parameter.sigma)}, {"unit", parameter.unit}};
+  for (const FoundParameter& parameter : cause.parameters) {
+    json& one = parameters[parameter.name];
+    one = {{"value", number(parameter.value)}, {"sigma", number(parameter.sigma)}, {"unit", parameter.unit}};
+    if (const double scale = parameter.joint_per_length; scale != 0.0)
+      one["at_joint"] = {{"value", number(scale * parameter.value)},
+                         {"sigma", number(scale * parameter.sigma)},
+                         {"unit", "rad"}};
+  }
   return {{"effect", cause.effect},      {"joint", cause.joint},
           {"parameters", parameters},    {"probability", number(cause.probability)},
           {"loss", number(cause.loss)},  {"moves", movesJson(cause.moves)},
@@ -192,6 +199,7 @@ json jsonOf(const Report& report) {
           {"recordings", report.recordings},
           {"causes", list(report.causes, [](const Cause& cause) { return jsonOf(cause); })},
           {"also_measurable", list(report.also_measurable, [](const Cause& cause) { return jsonOf(cause); })},
+          {"uncertain", list(report.uncertain, [](const Cause& cause) { return jsonOf(cause); })},
           {"material", {{"angle", report.material.angle}, {"length", report.material.length}}},
           {"posterior", list(report.posterior, setJson)},
           {"ties", list(report.ties, tieJson)},

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "core/diagnosis/hypotheses/pose_hypotheses.h"
@@ -43,18 +45,29 @@ std::string recordingOf(const Report& report, int recording) {
   return i < report.recordings.size() ? report.recordings[i] : fmt::format("recording {}", recording + 1);
 }
 
-/// Order within a round: refitted candidates first, then by probability, score and predicted reduction.
+/// Probability as it is shown: below 0.5 % it does not decide the order.
+double shownProbability(const Candidate& candidate) {
+  constexpr double kLeastShown = 0.005;
+  return candidate.probability < kLeastShown ? 0.0 : candidate.probability;
+}
+
 bool ahead(const Candidate& a, const Candidate& b) {
   if (a.round != b.round) return a.round < b.round;
+  if (shownProbability(a) != shownProbability(b)) return a.probability > b.probability;
   if (a.refitted != b.refitted) return a.refitted;
-  if (a.probability != b.probability) return a.probability > b.probability;
   if (a.refitted && a.score != b.score) return a.score > b.score;
   return a.screened > b.screened;
 }
 
-std::string changeOf(const RefitNumber& one) {
-  if (one.nominal == 0.0) return {};
-  return fmt::format("{:+.1f} %", 100.0 * (one.value / one.nominal - 1.0));
+/// True if the model of the report has exactly these effects.
+bool isModel(const Report& report, const std::vector<NamedEffect>& effects) {
+  const auto has = [&](const Cause& cause) {
+    return std::ranges::any_of(effects, [&](const NamedEffect& one) {
+      return one.effect == cause.effect && one.joint == cause.joint;
+    });
+  };
+  return hasEffects(report) && effects.size() == report.causes.size() + report.also_measurable.size() &&
+         std::ranges::all_of(report.causes, has) && std::ranges::all_of(report.also_measurable, has);
 }
 
 }  // namespace
@@ -69,7 +82,7 @@ std::string titleOf(std::string_view effect) {
 std::string causeText(const Cause& cause) {
   std::string text = titleOf(cause.effect) + ", " + shownJoint(cause.effect, cause.joint);
   for (const FoundParameter& parameter : cause.parameters)
-    text += (&parameter == &cause.parameters.front() ? ": " : ", ") + shownParameter(parameter);
+    text += (&parameter == &cause.parameters.front() ? ": " : ", ") + shownParameter(cause.effect, parameter);
   return text;
 }
 
@@ -85,6 +98,39 @@ std::string gainText(const Gain& gain) {
           fmt::format(" (95 %: {:.1f} to {:.1f} %)", 100.0 * gain.interval.low, 100.0 * gain.interval.high);
   }
   return text + ", on data that were not fitted";
+}
+
+std::vector<Cause> mostProbableFirst(const Tie& tie) {
+  std::vector<Cause> causes = tie.causes;
+  std::ranges::stable_sort(causes, std::greater<>(), &Cause::probability);
+  return causes;
+}
+
+std::vector<Candidate> rankedCandidates(const Report& report) {
+  std::vector<Candidate> candidates = report.candidates;
+  std::ranges::stable_sort(candidates, ahead);
+  return candidates;
+}
+
+bool isInModel(const Report& report, const Candidate& candidate) {
+  const auto is_it = [&](const Cause& cause) {
+    return cause.effect == candidate.effect && cause.joint == candidate.joint;
+  };
+  return std::ranges::any_of(report.causes, is_it) || std::ranges::any_of(report.also_measurable, is_it);
+}
+
+std::string candidatePercent(const Candidate& candidate) {
+  if (!(candidate.probability > 0.0)) return "–";
+  if (shownProbability(candidate) == 0.0) return "< 1";
+  return fmt::format("{:.0f}", 100.0 * candidate.probability);
+}
+
+std::string rankingNote() {
+  return "Trial fits are short: they choose during the search which effects are fitted to the end. The final "
+         "probability comes from models that were fitted to the end and compared on held-out data. An effect "
+         "that removes much in its trial is improbable in the end where another one explains the same "
+         "better. "
+         "–: in no model that was fitted to the end.";
 }
 
 std::string movesText(const Cause& cause) {
@@ -106,6 +152,21 @@ std::string movesText(const Cause& cause) {
     parts.push_back(one(seen ? "the tip in the cameras' view" : "the tip", moves.tip, "m"));
   return parts.empty() ? std::string("moves nothing in these recordings")
                        : fmt::format("moves {}", fmt::join(parts, ", "));
+}
+
+std::string tipText(const Report& report) {
+  std::vector<std::string> parts;
+  for (const Cause& cause : report.causes) {
+    const Displacement& tip = cause.moves.tip;
+    if (!(tip.largest > 0.0)) continue;
+    parts.push_back(fmt::format("{} RMS (largest {})", shownNumber(tip.rms, 0.0, "m"),
+                                shownNumber(tip.largest, 0.0, "m")));
+    if (cause.effect.starts_with("camera_")) parts.back() += " in the cameras' view";
+    if (report.causes.size() > 1 || !report.ties.empty())
+      parts.back() +=
+          fmt::format(" by {} ({})", titleOf(cause.effect), shownJoint(cause.effect, cause.joint));
+  }
+  return parts.empty() ? std::string() : fmt::format("Tip displacement: {}.", fmt::join(parts, "; "));
 }
 
 std::string alsoMeasurableTitle(const Report& report) {
@@ -162,30 +223,6 @@ Table channelTable(const Report& report) {
   return table;
 }
 
-Table refitTable(const Report& report) {
-  const bool effects = hasEffects(report);
-  Table table;
-  table.title = "Parameters of the nominal model after the refit";
-  table.columns = {text("number"),          text("nominal"),
-                   text("without effects"), text(effects ? "with effects" : "refitted"),
-                   text("change"),          text("remark")};
-  std::vector<RefitNumber> numbers = report.refit;
-  std::stable_partition(numbers.begin(), numbers.end(), [](const RefitNumber& one) { return one.moved; });
-  for (const RefitNumber& one : numbers)
-    table.rows.push_back({shownName(one.name), shownNumber(one.nominal, 0.0, one.unit),
-                          shownNumber(one.value_without, 0.0, one.unit),
-                          shownNumber(one.value, one.sigma, one.unit), changeOf(one),
-                          one.at_bound ? "at its bound: it would go further"
-                          : one.moved  ? "moved"
-                                       : "not moved"});
-  table.note = "Moved: by more than two standard deviations. A mistuned parameter is not a missing effect.";
-  if (effects) return table;
-  constexpr std::ptrdiff_t kWithout = 2;  // without effects the two values are the same
-  table.columns.erase(table.columns.begin() + kWithout);
-  for (auto& row : table.rows) row.erase(row.begin() + kWithout);
-  return table;
-}
-
 Table rankingTable(const Report& report, std::size_t most) {
   Table table;
   table.title = "Ranking of the candidate effects";
@@ -193,12 +230,12 @@ Table rankingTable(const Report& report, std::size_t most) {
                    text("effect"),
                    text("where"),
                    number("predicted", "%", 1, NumberStyle::kFixed),
-                   number("refitted", "%", 1, NumberStyle::kFixed),
-                   number("score", "nats", 1, NumberStyle::kFixed),
-                   number("probability", "%", 0, NumberStyle::kFixed)};
+                   number("trial removes", "%", 1, NumberStyle::kFixed),
+                   number("trial score", "nats", 1, NumberStyle::kFixed),
+                   text("final probability [%]"),
+                   text("in the model")};
   table.columns.front().grouped = true;
-  std::vector<Candidate> all = report.candidates;
-  std::stable_sort(all.begin(), all.end(), ahead);
+  const std::vector<Candidate> all = rankedCandidates(report);
   std::size_t in_round = 0, excluded = 0;
   for (std::size_t i = 0; i < all.size(); ++i) {
     in_round = i > 0 && all[i].round == all[i - 1].round ? in_round + 1 : 0;
@@ -207,14 +244,17 @@ Table rankingTable(const Report& report, std::size_t most) {
       continue;
     }
     const Candidate& one = all[i];
+    TableCell probability(candidatePercent(one));
+    probability.number = 100.0 * one.probability;
     table.rows.push_back({static_cast<double>(one.round), titleOf(one.effect),
                           shownJoint(one.effect, one.joint), 100.0 * one.screened,
                           one.refitted ? 100.0 * one.reduction : kNaN, one.refitted ? one.score : kNaN,
-                          100.0 * one.probability});
+                          std::move(probability), isInModel(report, one) ? "yes" : "no"});
   }
   table.note =
-      "Predicted: share of the residual's mean square that the effect removes, by the score test. Held out "
-      "and score (gain of log likelihood): for refitted effects, on segments that were not fitted.";
+      "Predicted, and trial removes: share of the mean square of the round's residual, by the score test "
+      "and by a trial fit. Trial score: gain of log likelihood. " +
+      rankingNote();
   if (excluded > 0) table.note += fmt::format(" {} more effects have a smaller prediction.", excluded);
   return table;
 }
@@ -242,7 +282,7 @@ Table explainableTable(const Report& report) {
                    number("with effects", "", 3, NumberStyle::kSignificant),
                    number("least squares", "", 3, NumberStyle::kSignificant),
                    number("Gaussian process", "", 3, NumberStyle::kSignificant),
-                   number("explained", "%", 0, NumberStyle::kFixed),
+                   number("explained", "% of the explainable", 0, NumberStyle::kFixed),
                    text("the better regression")};
   for (const Explainable& one : report.explainable) {
     const ShownUnit unit = shownUnit(one.unit);
@@ -251,7 +291,8 @@ Table explainableTable(const Report& report) {
                           100.0 * one.share, one.leans_on});
   }
   table.note =
-      "Explained: share of what can be explained from these signals. Least squares: on at most seven "
+      "Explained: reduction of the mean square by the effects, divided by the reduction by the better "
+      "regression. Least squares: on at most seven "
       "measured columns.";
   return table;
 }
@@ -265,11 +306,15 @@ Table posteriorTable(const Report& report, std::size_t most) {
     std::vector<std::string> names;
     for (const NamedEffect& one : report.posterior[k].effects)
       names.push_back(fmt::format("{} ({})", titleOf(one.effect), shownJoint(one.effect, one.joint)));
-    table.rows.push_back({names.empty() ? std::string("none") : fmt::format("{}", fmt::join(names, " + ")),
-                          100.0 * report.posterior[k].probability});
+    std::string set = names.empty() ? std::string("none") : fmt::format("{}", fmt::join(names, " + "));
+    if (isModel(report, report.posterior[k].effects)) set += " ← the model";
+    table.rows.push_back({set, 100.0 * report.posterior[k].probability});
     others -= report.posterior[k].probability;
   }
-  table.note = fmt::format("All other sets together: {:.1f} %.", 100.0 * std::max(0.0, others));
+  table.note = fmt::format(
+      "Probability of exactly these effects. All other sets together: {:.1f} %. The probability of "
+      "a cause is the sum over all sets that have it.",
+      100.0 * std::max(0.0, others));
   return table;
 }
 
@@ -294,7 +339,7 @@ Table lineTable(const Report& report) {
 Table processTable(const ResidualProcess& process) {
   Table table;
   table.title = "What the residual of " + process.channel + " depends on";
-  table.columns = {text("variable"), text("share of the variance [%]"), text("changes over")};
+  table.columns = {text("variable"), text("share of the residual's variance [%]"), text("changes over")};
   std::size_t excluded = 0;
   for (const ProcessVariable& one : process.variables) {
     if (!table.rows.empty() && one.relevance < kWeakly) {
@@ -302,7 +347,7 @@ Table processTable(const ResidualProcess& process) {
       continue;
     }
     const bool has_length = one.kind != VariableKind::kDirection;
-    table.rows.push_back({one.name, fmt::format("{:.1f} ± {:.1f}", 100.0 * one.relevance, 100.0 * one.sigma),
+    table.rows.push_back({one.name, shownNumber(one.relevance, one.sigma, ShownUnit{100.0, {}}),
                           has_length ? shownNumber(one.length, 0.0, one.unit) : std::string()});
   }
   table.note =

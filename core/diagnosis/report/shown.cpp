@@ -12,6 +12,23 @@ namespace {
 constexpr std::array<std::string_view, 2> kCounts = {"other", "present"};
 constexpr std::array<std::string_view, 3> kForms = {"at_motor", "of_length", "damping"};
 
+/// What the shares among the parameters are shares of.
+struct ShareName {
+  std::string_view effect, parameter, name;
+};
+constexpr std::array kShareNames = {
+    ShareName{"pulley_radius", "share", "increase of the link radius"},
+    ShareName{"position_stiffness", "share", "change from mid-range to the upper limit"},
+    ShareName{"cable_creep", "share", "creep as a share of the elastic stretch"},
+    ShareName{"stribeck_friction", "excess", "friction at rest above Coulomb friction"},
+    ShareName{"asymmetric_friction", "share", "Coulomb friction forwards above the mean, backwards below"},
+    ShareName{"asymmetric_viscosity", "share", "viscous friction forwards above the mean, backwards below"},
+    ShareName{"load_friction", "share", "friction as a share of the driving torque"},
+    ShareName{"position_friction", "sine", "sine as a share of Coulomb friction"},
+    ShareName{"position_friction", "cosine", "cosine as a share of Coulomb friction"},
+    ShareName{"actuator_gain", "share", "torque above its command"},
+    ShareName{"camera_scale", "share", "excess of lengths in the camera measurements"}};
+
 bool isCount(const FoundParameter& parameter) {
   return parameter.unit.empty() && std::ranges::find(kCounts, parameter.name) != kCounts.end();
 }
@@ -29,7 +46,11 @@ bool isShare(const FoundParameter& parameter) {
 std::string shownValue(const FoundParameter& parameter) {
   if (isShare(parameter)) return shownNumber(parameter.value, parameter.sigma, {100.0, "%"});
   if (isCount(parameter)) return fmt::format("{:.0f}", parameter.value);
-  return shownNumber(parameter.value, parameter.sigma, parameter.unit);
+  std::string shown = shownNumber(parameter.value, parameter.sigma, parameter.unit);
+  if (const double scale = parameter.joint_per_length; scale != 0.0)
+    shown += " of cable (" + shownNumber(scale * parameter.value, scale * parameter.sigma, "rad") +
+             " at the joint)";
+  return shown;
 }
 
 std::string shownName(std::string_view parameter) {
@@ -38,8 +59,14 @@ std::string shownName(std::string_view parameter) {
   return name;
 }
 
-std::string shownParameter(const FoundParameter& parameter) {
-  return shownName(parameter.name) + " " + shownValue(parameter);
+std::string shownName(std::string_view effect, std::string_view parameter) {
+  for (const ShareName& one : kShareNames)
+    if (one.effect == effect && one.parameter == parameter) return std::string(one.name);
+  return shownName(parameter);
+}
+
+std::string shownParameter(std::string_view effect, const FoundParameter& parameter) {
+  return shownName(effect, parameter.name) + " " + shownValue(parameter);
 }
 
 std::string shownJoint(std::string_view effect, int joint) {

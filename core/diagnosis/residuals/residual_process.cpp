@@ -1,4 +1,5 @@
 #include "core/diagnosis/residuals/residual_process.h"
+#include "core/diagnosis/residuals/process_parts.h"
 
 #include <fmt/format.h>
 
@@ -12,6 +13,7 @@
 #include "core/base/random.h"
 #include "core/diagnosis/residuals/ard_process.h"
 #include "core/diagnosis/residuals/decimated_residual.h"
+#include "core/diagnosis/residuals/process_parts.h"
 #include "core/diagnosis/residuals/signature.h"
 #include "core/stats/rms.h"
 
@@ -117,15 +119,18 @@ std::array<ProcessParameters, 2> startsOf(const Points& points, const Channel& c
 }
 
 ProcessParameters bestFit(const ArdProcess& process, const std::array<ProcessParameters, 2>& starts,
-                          int iterations, const base::Progress* progress) {
+                          int iterations, const base::Progress* progress, const std::function<void()>& part) {
   ProcessParameters best;
   double least = std::numeric_limits<double>::infinity();
   for (const ProcessParameters& start : starts) {
     const ProcessParameters tried = process.fit(start, kTrial, progress);
     const double value = process.objective(tried, nullptr).value_or(least);
     if (best.size() == 0 || value < least) best = tried, least = value;
+    part();
   }
-  return process.fit(best, iterations, progress);
+  best = process.fit(best, iterations, progress);
+  part();
+  return best;
 }
 
 /// Sums of held-out squared errors over one segment.
@@ -217,6 +222,12 @@ void judge(ResidualProcess& result, const Points& points, const ProcessParameter
 
 ResidualProcess residualProcess(const Channel& channel, const std::vector<Variable>& variables,
                                 const ProcessOptions& options, const base::Progress* progress) {
+  return residualProcessInParts(channel, variables, options, progress, [] {});
+}
+
+ResidualProcess residualProcessInParts(const Channel& channel, const std::vector<Variable>& variables,
+                                       const ProcessOptions& options, const base::Progress* progress,
+                                       const std::function<void()>& part) {
   ResidualProcess result;
   result.channel = channel.name;
   result.words = "is too short, or never changes";
@@ -234,9 +245,10 @@ ResidualProcess residualProcess(const Channel& channel, const std::vector<Variab
     if (fitted.rows.size() < kFewestForProcess / 4 || tested.rows.empty()) return result;
     const double mean = fitted.e.mean();
     const ArdProcess process(fitted.inputs, fitted.e.array() - mean);
-    const ProcessParameters found = bestFit(process, starts, options.iterations, progress);
+    const ProcessParameters found = bestFit(process, starts, options.iterations, progress, part);
     mean_found += 0.5 * found;
     score(fitted, mean, found, tested, points.segment, options, random, scores);
+    part();
   }
   const ArdProcess whole(points.inputs, points.e);
   const ProcessParameters parameters = whole.fit(mean_found, options.iterations / 4, progress);

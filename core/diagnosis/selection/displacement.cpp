@@ -64,6 +64,42 @@ void addTip(const robot::Chain& chain, const SimulatedMotion& with, const Simula
   }
 }
 
+/// Displacement from `without` to `with`. `motions`: those of `with`, one per recording; unused for rigid
+/// drives.
+Displacements displacementsBetween(const FitData& data, const Fit& fit, const robot::ChainModel& with,
+                                   const robot::ChainModel& without,
+                                   const std::vector<SimulatedMotion>& motions,
+                                   const robot::Description& robot) {
+  const robot::Chain chain(robot);
+  std::vector<Sum> joints(static_cast<std::size_t>(robot.size()));
+  Sum tip;
+  std::array<Sum, 3> axes;
+  if (data.rigid()) addReadings(data, fit, with, without, joints, axes);
+  for (std::size_t r = 0; r < motions.size(); ++r) {
+    const SimulatedMotion other = data.simulation(static_cast<int>(r)).motion(without);
+    addJoints(motions[r], other, joints);
+    addTip(chain, motions[r], other, tip);
+  }
+  Displacements moves;
+  for (std::size_t j = 0; j < joints.size(); ++j)
+    moves.joints.push_back(joints[j].displacement(robot.joints[j].type == robot::JointType::kPrismatic));
+  moves.tip = tip.displacement(true);
+  for (const Sum& axis : axes) {  // of rigid drives; the largest is a bound
+    const Displacement along = axis.displacement(true);
+    moves.tip.rms = std::hypot(moves.tip.rms, along.rms);
+    moves.tip.largest = std::hypot(moves.tip.largest, along.largest);
+  }
+  return moves;
+}
+
+/// Motions of a cable drive in all recordings; empty for rigid drives.
+std::vector<SimulatedMotion> motionsOf(const FitData& data, const robot::ChainModel& model) {
+  std::vector<SimulatedMotion> motions;
+  for (int r = 0; r < data.recordings() && !data.rigid(); ++r)
+    motions.push_back(data.simulation(r).motion(model));
+  return motions;
+}
+
 }  // namespace
 
 Displacements displacementsBy(const FitData& data, const Fit& fit, const EffectCandidate& effect,
@@ -74,25 +110,21 @@ Displacements displacementsBy(const FitData& data, const Fit& fit, const EffectC
     if (term.hypothesis == effect.hypothesis && term.joint == effect.joint)
       for (const int at : term.index)
         if (at >= 0) none[at] = 0.0;
-  const robot::ChainModel with = fit.model.chain(fit.u), without = less.chain(none);
-  const robot::Chain chain(robot);
-  std::vector<Sum> joints(static_cast<std::size_t>(robot.size()));
-  Sum tip;
-  std::array<Sum, 3> axes;
-  if (data.rigid()) addReadings(data, fit, with, without, joints, axes);
-  for (int r = 0; r < data.recordings() && !data.rigid(); ++r) {
-    const SimulatedMotion a = data.simulation(r).motion(with), b = data.simulation(r).motion(without);
-    addJoints(a, b, joints);
-    addTip(chain, a, b, tip);
-  }
-  Displacements moves;
-  for (std::size_t j = 0; j < joints.size(); ++j)
-    moves.joints.push_back(joints[j].displacement(robot.joints[j].type == robot::JointType::kPrismatic));
-  moves.tip = tip.displacement(true);
-  for (const Sum& axis : axes) {  // of rigid drives; the largest is a bound
-    const Displacement along = axis.displacement(true);
-    moves.tip.rms = std::hypot(moves.tip.rms, along.rms);
-    moves.tip.largest = std::hypot(moves.tip.largest, along.largest);
+  const robot::ChainModel with = fit.model.chain(fit.u);
+  return displacementsBetween(data, fit, with, less.chain(none), motionsOf(data, with), robot);
+}
+
+std::vector<Displacements> displacementsByRefit(const FitData& data, const Fit& fit,
+                                                const std::vector<int>& parameters,
+                                                const robot::Description& robot) {
+  const robot::ChainModel with = fit.model.chain(fit.u);
+  const std::vector<SimulatedMotion> motions = motionsOf(data, with);
+  std::vector<Displacements> moves;
+  for (const int k : parameters) {
+    const FitParameter& parameter = fit.model.parameters()[static_cast<std::size_t>(k)];
+    Eigen::VectorXd u = fit.u;
+    u[k] = parameter.u(parameter.start);
+    moves.push_back(displacementsBetween(data, fit, with, fit.model.chain(u), motions, robot));
   }
   return moves;
 }

@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "core/base/parallel.h"
+#include "core/base/progress_share.h"
+#include "core/diagnosis/residuals/process_parts.h"
 #include "core/diagnosis/selection/verdict.h"
 
 namespace capstan::diagnosis {
@@ -97,15 +100,17 @@ Pooled pooledOf(const FitData& data, const Selection& s, const robot::Descriptio
 }
 
 Explainable explainableOf(const FitData& data, const Selection& s, const robot::Description& nominal,
-                          const Group& group, const base::Progress* progress) {
+                          const Group& group, const base::Progress* progress,
+                          const std::function<void()>& part) {
   const MeasuredRegression linear =
       group.channel.joint > 0 ? measuredRegression(data, group.channel.joint) : MeasuredRegression{kNaN, {}};
   const Pooled pooled = pooledOf(data, s, nominal, group);
   Channel channel = pooled.channel;
   channel.noise = std::hypot(group.channel.noise, s.input_noise[group.members.front()]);
   const double refitted = meanSquareOf(s.base_squares, group);
-  return explainableFrom(channel, refitted, meanSquareOf(s.best_squares, group), linear, refitted,
-                         residualProcess(pooled.channel, pooled.variables, {.shuffles = 2}, progress));
+  return explainableFrom(
+      channel, refitted, meanSquareOf(s.best_squares, group), linear, refitted,
+      residualProcessInParts(pooled.channel, pooled.variables, {.shuffles = 2}, progress, part));
 }
 
 double beyondNoise(const Group& group, const Selection& s) {
@@ -146,10 +151,11 @@ std::vector<Explainable> explainableOf(const FitData& data, const Selection& s,
   std::vector<Group> groups = groupsOf(data);
   std::ranges::stable_sort(groups, std::greater<>(),
                            [&](const Group& group) { return beyondNoise(group, s); });
-  if (progress) progress->report(progress->fraction(), "Fitting a regression to the residual");
+  base::ProgressShare share(progress, kExplainableEnd, "Fitting a regression to the residual",
+                            groups.size() * kProcessParts);
   std::vector<Explainable> channels(groups.size());
   base::parallelFor(groups.size(), data.threads(), [&](std::size_t k) {
-    channels[k] = explainableOf(data, s, nominal, groups[k], progress);
+    channels[k] = explainableOf(data, s, nominal, groups[k], progress, [&share] { share.finished(); });
   });
   return channels;
 }

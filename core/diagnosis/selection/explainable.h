@@ -17,6 +17,7 @@ namespace capstan::diagnosis {
 /// unexplained. The channel with the largest ratio of residual to noise comes first.
 std::vector<Explainable> explainableOf(const FitData& data, const Selection& selection,
                                        const robot::Description& nominal, base::Progress* progress);
+inline constexpr double kExplainableEnd = 0.93;  ///< progress at the end of explainableOf()
 
 /// Comparison for one channel. `refitted`, `named`: mean squares of its held-out residuals without and with
 /// the effects. `process_mean_square`: of the residual that `process` belongs to.

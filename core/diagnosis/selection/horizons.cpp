@@ -28,6 +28,22 @@ std::vector<std::string> namesOf(const Selection& selection) {
   return names;
 }
 
+/// Candidates of a search, with the probabilities of `final`, which has searched among their hypotheses
+/// again. Effects that it did not consider are in none of its models.
+std::vector<Candidate> withProbabilitiesOf(const Selection& final, std::vector<Candidate> candidates) {
+  for (Candidate& candidate : candidates) {
+    candidate.probability = 0.0;
+    const auto is_it = [&](const auto& effect, int joint) {
+      return effect == candidate.effect && joint == candidate.joint;
+    };
+    for (const Candidate& one : final.candidates)
+      if (is_it(one.effect, one.joint)) candidate.probability = one.probability;
+    for (const SelectedEffect& one : final.effects)
+      if (is_it(one.effect.name(), one.effect.joint)) candidate.probability = one.probability;
+  }
+  return candidates;
+}
+
 bool cancelled(const base::Progress* progress) { return progress && progress->cancelled(); }
 
 }  // namespace
@@ -58,7 +74,8 @@ SelectionWithData selectOverHorizons(const std::vector<Evidence>& recordings,
   how.only = namesOf(second.selection);
   SelectionWithData confirmed = over(kFarHorizon, &second.selection, how);
   if (cancelled(progress) || sameEffects(second.selection, confirmed.selection)) return second;
-  confirmed.selection.candidates = std::move(second.selection.candidates);
+  confirmed.selection.candidates =
+      withProbabilitiesOf(confirmed.selection, std::move(second.selection.candidates));
   return confirmed;
 }
 

@@ -10,6 +10,7 @@
 
 #include "core/diagnosis/fit/input_noise.h"
 #include "core/diagnosis/selection/optimism.h"
+#include "core/diagnosis/selection/search_progress.h"
 #include "core/diagnosis/selection/set_prior.h"
 
 namespace capstan::diagnosis {
@@ -41,7 +42,7 @@ class Search {
         options_(options),
         progress_(progress),
         fitter_(data),
-        begin_(progress ? progress->fraction() : 0.0) {}
+        shown_(data, recordings, progress, options.progress_end, options.effort * kMostWork) {}
 
   SearchResult run(const FitModel& nominal, const Fit* start) {
     report("Refitting the nominal structure");
@@ -181,8 +182,7 @@ class Search {
     if (sets.empty() || ends()) return false;
     sortByFit(sets);
     if (sets.size() > kContenders) sets.erase(sets.begin() + kContenders, sets.end());
-
-    report("Settling the candidate models");
+    begin("Settling the candidate models");
     for (SetFit& set : sets) fitter_.relinearise(set);
     keepThin(fitter_.settled(std::move(sets)));
     return true;
@@ -204,7 +204,6 @@ class Search {
       }
     }
     if (removals.empty() || ends()) return;
-
     report(fmt::format("Fitting without {}", removals.front().effect.hypothesis->words.title));
     std::vector<SetFit> near, others;
     for (SetFit& set : fitter_.reduced(removals))
@@ -243,7 +242,7 @@ class Search {
     fitter_.relinearise(parent);
     const std::vector<EffectCandidate> candidates =
         candidatesOf(recordings_, parent.fit.model, options_.only);
-    report("Testing hypotheses");
+    begin("Testing hypotheses");
     const std::vector<ScoreTest> tests = screen(data_, parent.fit, parent.weighting, candidates);
     std::vector<ScoreTest> promising;
     std::set<EffectSet> extended;
@@ -327,7 +326,7 @@ class Search {
     const EffectSet effects = found_.best;
     if (effects.empty() || restarted_.contains(effects) || ends()) return false;
     restarted_.insert(effects);
-    report("Refitting from the nominal parameters");
+    begin("Refitting from the nominal parameters");
     fitter_.relinearise(at(effects));
     const double before = value(effects);
     keep(fitter_.settled(SetFitter::fromNominal(at(effects))));
@@ -366,11 +365,16 @@ class Search {
     if (progress_) progress_->report(options_.progress_end, "Weighing the candidate models");
   }
 
-  /// How long the search takes is not known: each step takes a share of what is left.
-  void report(const std::string& doing) {
-    constexpr double kStep = 0.02;
-    done_ += kStep * (1.0 - done_);
-    if (progress_) progress_->report(begin_ + done_ * (options_.progress_end - begin_), doing);
+  void report(const std::string& doing) { shown_.report(doing); }
+  void begin(const std::string& step) { shown_.beginStep(stepsLeft()), report(step); }
+
+  /// Steps that are known to be left: this one, expansions of the beam and of neighbours, another start.
+  int stepsLeft() {
+    std::vector<EffectSet> sets = ranked();
+    sets.resize(std::min(sets.size(), kBeam));
+    for (const EffectCandidate& effect : found_.best) sets.push_back(minus(found_.best, effect));
+    const auto open = std::ranges::count_if(sets, [&](const auto& set) { return !expanded_.contains(set); });
+    return 1 + static_cast<int>(open) + (restarted_.contains(found_.best) ? 0 : 1);
   }
 
   const FitData& data_;
@@ -383,7 +387,7 @@ class Search {
   std::map<EffectSet, double> value_;
   std::set<EffectSet> expanded_, restarted_;
   int round_ = 0;
-  double begin_, done_ = 0.0;
+  SearchProgress shown_;
 };
 
 }  // namespace

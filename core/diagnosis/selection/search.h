@@ -17,7 +17,7 @@ struct SearchOptions {
   std::vector<std::string> only = {};  ///< names of hypotheses to consider; empty: all
   std::uint64_t seed = 1;              ///< seed of the block bootstraps
   double effort = 1.0;                 ///< multiplies kMostWork
-  double progress_end = 0.95;          ///< value of the caller's progress at the end of the search
+  double progress_end = 0.65;          ///< value of the caller's progress at the end of the search
 };
 
 /// Result of searchSets().

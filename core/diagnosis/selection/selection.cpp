@@ -3,12 +3,16 @@
 #include <algorithm>
 
 #include "core/diagnosis/selection/optimism.h"
+#include "core/diagnosis/selection/search_progress.h"
 #include "core/diagnosis/selection/set_prior.h"
 
 namespace capstan::diagnosis {
 namespace {
 
 using Model = CandidateModel<EffectCandidate>;
+
+constexpr double kProgressOfSearch =
+    0.85;  // the rest is for the fits of the selected set without its effects
 
 PredictiveScore scoreOf(const FitData& data, const SearchResult& found, std::uint64_t seed) {
   PredictiveScore score(scoredChannels(data, found.input_noise), data.blocks(), kDraws, seed);
@@ -60,8 +64,11 @@ void settleWithouts(const SetFitter& fitter, const SetFit& best, SearchResult& f
 
 Selection select(const FitData& data, const std::vector<Evidence>& recordings, const FitModel& nominal,
                  const Selection* start, const SearchOptions& options, base::Progress* progress) {
+  SearchOptions until_found = options;
+  const double begin = progress ? progress->fraction() : 0.0;
+  until_found.progress_end = begin + kProgressOfSearch * (options.progress_end - begin);
   SearchResult found =
-      searchSets(data, recordings, nominal, start ? &start->best : nullptr, options, progress);
+      searchSets(data, recordings, nominal, start ? &start->best : nullptr, until_found, progress);
   const PredictiveScore score = scoreOf(data, found, options.seed);
   const Posterior<EffectCandidate> posterior(modelsOf(found, score), score);
   const EffectSet most_probable =
@@ -83,7 +90,11 @@ Selection select(const FitData& data, const std::vector<Evidence>& recordings, c
               .probable = probableOf(posterior, found),
               .candidates = std::move(found.tested),
               .complete = found.complete};
-  settleWithouts(fitter, best, found);
+  {
+    SearchProgress shown(data, recordings, progress, options.progress_end);
+    shown.report("Comparing with smaller models");
+    settleWithouts(fitter, best, found);
+  }
   s.effects = selectedOf(best.effects, best.squares, modelsOf(found, score), posterior, score);
   s.competitors = competitorsOf(best.effects, s.effects, posterior);
   for (Candidate& candidate : s.candidates)

@@ -8,6 +8,7 @@
 #include "core/diagnosis/fit/input_noise.h"
 #include "core/diagnosis/hypotheses/pose_hypotheses.h"
 #include "core/diagnosis/report/report_tables.h"
+#include "core/diagnosis/report/shown.h"
 #include "core/diagnosis/selection/displacement.h"
 #include "core/diagnosis/selection/explainable.h"
 #include "core/diagnosis/selection/gains.h"
@@ -32,6 +33,14 @@ std::string unitAt(std::string_view unit, int joint, const robot::Description& r
   return std::string(slides ? unit.substr(at + kOr.size()) : unit.substr(0, at));
 }
 
+/// FoundParameter::joint_per_length of a parameter. Effects of a cable drive with a unit of length are
+/// lengths of the joint's cable.
+double jointPerLength(std::string_view unit, const EffectTerm& term, const robot::Description& robot) {
+  if (unit != "m" || term.joint == 0 || robot.drive != robot::DriveType::kCable) return 0.0;
+  const auto j = static_cast<std::size_t>(term.joint - 1);
+  return robot.joints[j].type == robot::JointType::kPrismatic ? 0.0 : 1.0 / robot.drives[j].link_radius;
+}
+
 std::vector<FoundParameter> parametersOf(const FitModel& model, std::size_t effect, const Eigen::VectorXd& u,
                                          const Eigen::MatrixXd& covariance) {
   const EffectTerm& term = model.effects()[effect];
@@ -48,8 +57,8 @@ std::vector<FoundParameter> parametersOf(const FitModel& model, std::size_t effe
           model.parameters()[static_cast<std::size_t>(at)].valueSigma(u[at], std::sqrt(covariance(at, at)));
     if (sigma > 0.0 && !isEventTime(number)) sigma = withLawError(sigma, values[i]);
     if (neutral[i] == 0.0) sigma = std::hypot(sigma, 0.5 * background);  // a background effect
-    found.push_back(
-        {std::string(number.name), unitAt(number.unit, term.joint, model.nominal()), values[i], sigma});
+    found.push_back({std::string(number.name), unitAt(number.unit, term.joint, model.nominal()), values[i],
+                     sigma, jointPerLength(number.unit, term, model.nominal())});
   }
   return found;
 }
@@ -72,20 +81,39 @@ int channelOf(const FitData& data, const EffectCandidate& effect, const BlockSqu
   return largestReduction(without, with).channel;
 }
 
-Cause causeOf(const FitData& data, const Selection& s, const SelectedEffect& selected,
-              const Eigen::MatrixXd& covariance, const robot::Description& robot) {
-  const EffectCandidate& effect = selected.effect;
+/// Effect of a fit: parameters and displacement.
+Cause sizeOf(const FitData& data, const Fit& fit, const EffectCandidate& effect, double probability,
+             const Eigen::MatrixXd& covariance, const robot::Description& robot) {
   Cause cause;
   cause.effect = effect.hypothesis->name();
   cause.joint = effect.joint;
-  cause.probability = selected.probability;
-  cause.loss = selected.loss;
-  for (std::size_t k = 0; k < s.best.model.effects().size(); ++k) {
-    const EffectTerm& term = s.best.model.effects()[k];
+  cause.probability = probability;
+  for (std::size_t k = 0; k < fit.model.effects().size(); ++k) {
+    const EffectTerm& term = fit.model.effects()[k];
     if (!term.background && term.hypothesis == effect.hypothesis && term.joint == effect.joint)
-      cause.parameters = parametersOf(s.best.model, k, s.best.u, covariance);
+      cause.parameters = parametersOf(fit.model, k, fit.u, covariance);
   }
-  cause.moves = displacementsBy(data, s.best, effect, robot);
+  cause.moves = displacementsBy(data, fit, effect, robot);
+  return cause;
+}
+
+/// Uncertain effects with the numbers of the most probable set.
+std::vector<Cause> uncertainOf(const FitData& data, const Selection& s, const robot::Description& robot) {
+  std::vector<Cause> causes;
+  if (s.uncertain.empty() || s.probable.empty()) return causes;
+  SetFit most_probable = s.probable.front().set;
+  SetFitter(data).relinearise(most_probable);
+  const Eigen::MatrixXd covariance = covarianceOf(data, most_probable.fit, most_probable.weighting);
+  for (const UncertainEffect& one : s.uncertain)
+    causes.push_back(sizeOf(data, most_probable.fit, one.effect, one.probability, covariance, robot));
+  return causes;
+}
+
+Cause causeOf(const FitData& data, const Selection& s, const SelectedEffect& selected,
+              const Eigen::MatrixXd& covariance, const robot::Description& robot) {
+  const EffectCandidate& effect = selected.effect;
+  Cause cause = sizeOf(data, s.best, effect, selected.probability, covariance, robot);
+  cause.loss = selected.loss;
   cause.gain = gainOf(data, selected.without, s.best_squares,
                       channelOf(data, effect, selected.without, s.best_squares));
   return cause;
@@ -113,7 +141,8 @@ std::string summaryOf(const Report& report) {
                  : fmt::format("Something is there that no hypothesis explains; {} takes off {:.0f} % of it.",
                                causeNames(report.causes), percent);
     case Verdict::kTie:
-      return fmt::format("This recording cannot distinguish {}.", causeNames(report.ties.front().causes));
+      return fmt::format("This recording cannot distinguish {}.",
+                         causeNames(mostProbableFirst(report.ties.front())));
     default:
       return fmt::format("{} {} the recording ({:.0f} % of what is beyond noise).", causeNames(report.causes),
                          report.causes.size() > 1 ? "explain" : "explains", percent);
@@ -194,9 +223,16 @@ Verdict verdictOf(const Report& report, bool residual) {
   return report.causes.size() > 1 ? Verdict::kSeveral : Verdict::kFound;
 }
 
-std::string uncertainText(const NamedEffect& effect, double probability) {
-  return fmt::format(" {} may be there, too (probability {:.0f} %).", nameOf(effect.effect, effect.joint),
-                     100.0 * probability);
+std::string uncertainText(const std::vector<Cause>& effects) {
+  std::string text;
+  for (const Cause& one : effects) {
+    text += fmt::format(" {} may be there, too (probability {:.0f} %)", nameOf(one.effect, one.joint),
+                        100.0 * one.probability);
+    for (const FoundParameter& parameter : one.parameters)
+      text += (&parameter == &one.parameters.front() ? ": " : ", ") + shownParameter(one.effect, parameter);
+    text += (one.parameters.empty() ? ": " : "; ") + movesText(one) + ".";
+  }
+  return text;
 }
 
 void judge(const FitData& data, const Selection& s, const robot::Description& robot, Report& report) {
@@ -206,8 +242,9 @@ void judge(const FitData& data, const Selection& s, const robot::Description& ro
   for (const SelectedEffect& selected : s.effects)
     addCause(causeOf(data, s, selected, covariance, robot), selected.without, s.best_squares, report);
   addTies(s.competitors, report);
+  report.uncertain = uncertainOf(data, s, robot);
   report.verdict = verdictOf(report, hasResidual(data, s, report.material));
-  report.summary = summaryOf(report) + uncertainText(s.uncertain);
+  report.summary = summaryOf(report) + uncertainText(report.uncertain);
   if (report.verdict == Verdict::kNothing && isTooShort(data, s))
     report.summary =
         "Too little motion to say: the refitted robot explains what it was fitted to, and not "

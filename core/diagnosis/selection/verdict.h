@@ -58,21 +58,14 @@ void addTies(const std::vector<CompetitorsOf<Effect>>& competitors, Report& repo
 /// the residual of the selected model is more than noise.
 Verdict verdictOf(const Report& report, bool residual);
 
-/// Sentence about an uncertain effect, for the end of a summary.
-std::string uncertainText(const NamedEffect& effect, double probability);
-/// The sentences about all uncertain effects.
-template <class Effect>
-std::string uncertainText(const std::vector<UncertainOf<Effect>>& effects) {
-  std::string text;
-  for (const UncertainOf<Effect>& one : effects)
-    text += uncertainText({std::string(one.effect.name()), one.effect.joint}, one.probability);
-  return text;
-}
+/// Sentences about uncertain effects with their sizes, for the end of a summary: " Payload may be there, too
+/// (probability 41 %): mass 0.021 ± 0.012 kg, moves …".
+std::string uncertainText(const std::vector<Cause>& effects);
 
-/// Fills verdict, causes, also_measurable, ties, posterior, explained and summary of the report from the
-/// selection; Report::material, explainable and lines are inputs. The σ of a cause's parameter combines
-/// three parts: the σ of the fit; 1 % of the parameter, because laws are simplified; and half of the size
-/// that the effect has on a robot in good order (Hypothesis::background).
+/// Fills verdict, causes, also_measurable, uncertain, ties, posterior, explained and summary of the report
+/// from the selection; Report::material, explainable and lines are inputs. The σ of a cause's parameter
+/// combines three parts: the σ of the fit; 1 % of the parameter, because laws are simplified; and half of the
+/// size that the effect has on a robot in good order (Hypothesis::background).
 void judge(const FitData& data, const Selection& selection, const robot::Description& robot, Report& report);
 
 }  // namespace capstan::diagnosis

@@ -60,6 +60,34 @@ TEST(Displacement, OfAHomingOffsetIsTheOffset) {
   }
 }
 
+/// A softer cable of joint 2 moves joint 2 and hardly the others; a parameter at its nominal value moves
+/// nothing.
+TEST(Displacement, OfARefittedParameterIsThatOfItsChange) {
+  const Planted planted(1);
+  const FitData data(planted.evidence, planted.robot, 0.0, EncoderZeros::kKnown, 2);
+  const FitModel model(planted.robot, jointScales(planted.evidence, planted.robot));
+  int stiffness = -1, friction = -1;
+  for (int k = 0; k < model.baseSize(); ++k) {
+    const FitParameter& one = model.parameters()[static_cast<std::size_t>(k)];
+    if (one.name == "cable_stiffness" && one.joint == 2) stiffness = k;
+    if (one.name == "coulomb" && one.joint == 1) friction = k;
+  }
+  ASSERT_GE(stiffness, 0);
+  ASSERT_GE(friction, 0);
+  Eigen::VectorXd u = Eigen::VectorXd::Zero(model.size());
+  const FitParameter& soft = model.parameters()[static_cast<std::size_t>(stiffness)];
+  u[stiffness] = soft.u(0.5 * soft.start);
+  const Fit fit = linearise(data, model, u, noneBeyond(data), {Eigen::VectorXd::Ones(data.size())});
+  const auto moves = displacementsByRefit(data, fit, {stiffness, friction}, planted.robot);
+  ASSERT_EQ(moves.size(), 2U);
+  EXPECT_GT(moves[0].joints[1].rms, 1e-5);
+  EXPECT_GT(moves[0].joints[1].rms, 5.0 * moves[0].joints[0].rms);
+  EXPECT_GT(moves[0].tip.rms, 0.0);
+  EXPECT_TRUE(isMaterial(moves[0], {0.5 * moves[0].joints[1].rms, 1.0}));
+  EXPECT_EQ(moves[1].joints[1].largest, 0.0) << "it is at its nominal value";
+  EXPECT_FALSE(isMaterial(moves[1], {}));
+}
+
 /// What only cameras get wrong moves the tip that they see, and no joint.
 TEST(Displacement, OfCamerasIsOfTheTipAlone) {
   const Planted planted(1);

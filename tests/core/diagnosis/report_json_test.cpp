@@ -28,6 +28,10 @@ TEST(ReportJson, SaysWhatTheReportSays) {
   EXPECT_EQ(cause.at("parameters").at("half_width").at("value").get<double>(),
             report.causes[0].parameters[0].value);
   EXPECT_EQ(cause.at("parameters").at("half_width").at("unit"), "m");
+  EXPECT_EQ(cause.at("parameters").at("half_width").at("at_joint").at("unit"), "rad");
+  EXPECT_NEAR(cause.at("parameters").at("half_width").at("at_joint").at("value").get<double>(), 0.015, 1e-12)
+      << "0.93 mm on a radius of 62 mm";
+  EXPECT_FALSE(document.at("also_measurable")[0].at("parameters").at("share").contains("at_joint"));
   EXPECT_EQ(cause.at("gain").at("rms_after").get<double>(), report.causes[0].gain.rms_after);
   EXPECT_EQ(cause.at("gain").at("interval")[1].get<double>(), report.causes[0].gain.interval.high);
   EXPECT_EQ(document.at("refit").at("cable_stiffness_2").at("value").get<double>(), report.refit[0].value);

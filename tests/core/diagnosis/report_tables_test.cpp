@@ -53,12 +53,31 @@ TEST(ReportTables, RefitShowsFirstWhatMoved) {
   expectWhole(table);
   const std::size_t change = columnOf(table, "change"), remark = columnOf(table, "remark");
   EXPECT_EQ(table.rows[0][0].text, "cable stiffness of joint 2");
-  EXPECT_EQ(table.rows[0][change].text, "-18.0 %");
-  EXPECT_EQ(table.rows[0][remark].text, "moved");
+  EXPECT_EQ(table.rows[0][change].text, "−18.0 %");
+  EXPECT_EQ(table.rows[0][remark].text, "material: 0.859 deg at joint 2");
   EXPECT_NE(table.rows[1][remark].text.find("bound"), std::string::npos);
   EXPECT_EQ(table.rows[2][remark].text, "not moved");
   report.refit[0].nominal = 0.0;
   expectWhole(refitTable(report));
+}
+
+// A change of 494 % of a tiny number that moves nothing is no news; one of 3 % that moves a joint is.
+TEST(ReportTables, RefitEmphasisesWhatIsSignificantAndMaterial) {
+  Report report;
+  RefitNumber tiny{"centre_of_mass_x of joint 2", "m", -2e-3, -11.88e-3, 0.1e-3, false, true, -10e-3};
+  tiny.moves.joints = {{0.0, 0.0, false}, {5e-5, 9e-5, false}, {1e-6, 2e-6, true}};
+  RefitNumber large{"mass of joint 3", "kg", 0.231, 0.238, 0.001, false, true, 0.24};
+  large.moves.joints = {{0.0, 0.0, false}, {1e-3, 2e-3, false}, {1e-6, 2e-6, true}};
+  large.material = true;
+  report.refit = {tiny, large};
+  EXPECT_EQ(refitInOrder(report)[0].name, large.name);
+  EXPECT_EQ(refitChange(large), "+3.0 %");
+  EXPECT_EQ(refitChange(tiny), "−9.88 mm") << "the difference, where it is larger than the nominal value";
+  EXPECT_EQ(refitRemark(large, {}), "material: 0.0573 deg at joint 2");
+  EXPECT_EQ(refitRemark(tiny, {}), "moved: 0.00286 deg at joint 2");
+  RefitNumber zero{"centre_of_mass_x of joint 3", "m", 0.0, 5e-3, 1e-2, true, false, 0.0};
+  EXPECT_EQ(refitChange(zero), "+5.00 mm");
+  EXPECT_EQ(refitRemark(zero, {}), "not moved; at its bound: it would go further");
 }
 
 TEST(ReportTables, RefitShowsValuesWithAndWithoutEffects) {
@@ -82,11 +101,42 @@ TEST(ReportTables, RankingIsByRoundAndLikelihoodAndSaysWhatItLeavesOut) {
   ASSERT_EQ(table.rows.size(), report.candidates.size());
   EXPECT_EQ(table.rows[0][1].text, titleOf("backlash"));
   EXPECT_EQ(table.rows[3][2].text, "whole arm") << "not refitted: last of its round";
-  EXPECT_TRUE(std::isnan(table.rows[3][columnOf(table, "score")].number));
+  EXPECT_TRUE(std::isnan(table.rows[3][columnOf(table, "trial score")].number));
   EXPECT_EQ(table.rows[4][0].number, 2.0);
   const Table brief = rankingTable(report, 1);
   EXPECT_EQ(brief.rows.size(), 2U) << "one a round";
   EXPECT_NE(brief.note.find("4 more"), std::string::npos) << brief.note;
+}
+
+// A candidate that removes more in its trial than the cause, and is improbable in the end.
+TEST(ReportTables, RankingAgreesWithTheVerdict) {
+  Report report = sampleReport({.duration = 12.0});
+  Candidate& trial = report.candidates[1];
+  trial.reduction = 0.978, trial.score = 500.0, trial.probability = 3e-4;
+  report.candidates[2].probability = 0.0;
+  report.candidates[3].probability = 0.68;  // settled before this round: no trial fit in it
+  const Table table = rankingTable(report);
+  const std::size_t final = columnOf(table, "final probability [%]");
+  EXPECT_EQ(table.rows[0][1].text, titleOf("backlash"));
+  EXPECT_EQ(table.rows[0][final].text, "97");
+  EXPECT_EQ(table.rows[0].back().text, "yes");
+  EXPECT_EQ(table.rows[1][1].text, titleOf("gravity_tilt")) << "by its probability, before those of none";
+  EXPECT_EQ(table.rows[1][final].text, "68");
+  EXPECT_EQ(table.rows[2][final].text, "< 1") << "not 0: it was fitted to the end";
+  EXPECT_EQ(table.rows[2].back().text, "no");
+  EXPECT_EQ(table.rows[3][final].text, "–");
+  EXPECT_NE(table.note.find(rankingNote()), std::string::npos);
+}
+
+TEST(ReportTables, ATieListsTheMoreProbableCauseFirst) {
+  Report report = sampleReport({.verdict = Verdict::kTie, .duration = 12.0});
+  Tie& tie = report.ties[0];
+  tie.causes[0].probability = 0.36, tie.causes[1].probability = 0.64;
+  const std::vector<Cause> shown = mostProbableFirst(tie);
+  ASSERT_EQ(shown.size(), 2U);
+  EXPECT_EQ(shown[0].effect, "cable_hysteresis");
+  EXPECT_EQ(shown[1].effect, "backlash");
+  EXPECT_EQ(tie.causes[0].effect, "backlash") << "the model stays what it is";
 }
 
 TEST(ReportTables, LinesProcessesAndFilter) {
@@ -110,7 +160,10 @@ TEST(ReportTables, LinesProcessesAndFilter) {
 
 TEST(ReportTables, CausesInWords) {
   const Report report = sampleReport({.verdict = Verdict::kTie, .duration = 12.0});
-  EXPECT_EQ(causeText(report.causes[0]), titleOf("backlash") + ", joint 2: half width 0.930 ± 0.030 mm");
+  EXPECT_EQ(causeText(report.causes[0]),
+            titleOf("backlash") +
+                ", joint 2: half width 0.930 ± 0.030 mm of cable (0.859 ± 0.028 deg "
+                "at the joint)");
   EXPECT_EQ(causeText(report.ties[0].causes[1]),
             titleOf("cable_hysteresis") + ", joint 2: force 31.0 ± 4.0 N, yield 0.110 ± 0.060 mm");
   EXPECT_EQ(titleOf("backlash"), hypothesisNamed("backlash")->words.title);
@@ -136,6 +189,21 @@ TEST(ReportTables, WhatAnEffectMoves) {
   cause.moves.joints.clear();
   cause.effect = "camera_latency";
   EXPECT_EQ(movesText(cause), "moves the tip in the cameras' view by 1.00 mm RMS (largest 3.00 mm)");
+}
+
+TEST(ReportTables, TheDisplacementOfTheTipIsOneLine) {
+  Report report;
+  EXPECT_EQ(tipText(report), "");
+  Cause cause{.effect = "backlash", .joint = 2, .parameters = {}};
+  report.causes = {cause};
+  EXPECT_EQ(tipText(report), "") << "it does not move the tip";
+  report.causes[0].moves.tip = {1.9e-3, 4.2e-3, true};
+  EXPECT_EQ(tipText(report), "Tip displacement: 1.90 mm RMS (largest 4.20 mm).");
+  report.causes.push_back({.effect = "camera_latency", .parameters = {}});
+  report.causes[1].moves.tip = {1e-3, 3e-3, true};
+  EXPECT_EQ(tipText(report), "Tip displacement: 1.90 mm RMS (largest 4.20 mm) by " + titleOf("backlash") +
+                                 " (joint 2); 1.00 mm RMS (largest 3.00 mm) in the cameras' view by " +
+                                 titleOf("camera_latency") + " (cameras).");
 }
 
 TEST(ReportTables, ExplainableBesideRegressions) {
@@ -174,6 +242,12 @@ TEST(ReportTables, PosteriorOfSetsAndAllOthers) {
   const Table brief = posteriorTable(report, 1);
   EXPECT_EQ(brief.rows.size(), 1U);
   EXPECT_NE(brief.note.find("50.0 %"), std::string::npos) << brief.note;
+}
+
+TEST(ReportTables, PosteriorMarksTheModel) {
+  const Table table = posteriorTable(sampleReport({.duration = 12.0}));
+  EXPECT_NE(table.rows[0][0].text.find("← the model"), std::string::npos) << table.rows[0][0].text;
+  EXPECT_EQ(table.rows[1][0].text.find("← the model"), std::string::npos) << table.rows[1][0].text;
 }
 
 TEST(ExtendedRobot, IsARobotFileThatSaysWhereItIsFrom) {

@@ -98,7 +98,8 @@ void CauseTree::showReport(const diagnosis::Report& report) {
     if (!isTied(report, cause)) causes_.push_back(cause);
   alone_ = causes_.size();
   for (const diagnosis::Tie& tie : report.ties) {
-    causes_.insert(causes_.end(), tie.causes.begin(), tie.causes.end());
+    const std::vector<Cause> tied = diagnosis::mostProbableFirst(tie);
+    causes_.insert(causes_.end(), tied.begin(), tied.end());
     tied_.push_back(tie.causes.size());
   }
   causes_.insert(causes_.end(), report.also_measurable.begin(), report.also_measurable.end());
@@ -116,7 +117,7 @@ void CauseTree::fill() {
   std::size_t next = 0;
   for (; next < alone_; ++next) addCause(nullptr, next);
   for (const std::size_t tied : tied_) {
-    QTreeWidgetItem* group = addLine(nullptr, tr("One of these:"));
+    QTreeWidgetItem* group = addLine(nullptr, tr("One of these (probabilities relative to each other):"));
     for (std::size_t i = 0; i < tied; ++i) addCause(group, next++);
   }
   if (next == 0)
@@ -180,7 +181,7 @@ void CauseTree::addCause(QTreeWidgetItem* parent, std::size_t index) {
   QTreeWidgetItem* item = addTitle(parent, cause);
   item->setData(0, kCauseRole, static_cast<int>(index));
   for (const diagnosis::FoundParameter& parameter : cause.parameters) {
-    QTreeWidgetItem* line = addLine(item, shown(diagnosis::shownParameter(parameter)));
+    QTreeWidgetItem* line = addLine(item, shown(diagnosis::shownParameter(cause.effect, parameter)));
     line->setFont(kWords, numberFont(kPoints - 0.5));
     line->setForeground(kWords, theme_.text);
   }

@@ -11,14 +11,20 @@ class QSettings;
 
 namespace capstan::widgets {
 
-/// Input of a diagnosis. The settings keep the tolerance only: recordings and robot of an earlier day would
-/// pass for those that are open now.
+/// Input of a diagnosis. The settings keep tolerance and effort only: recordings of an earlier day, their
+/// units and their robot would pass for those that are open now.
 struct DiagnosisChoice {
   QStringList recordings = {};  ///< recordings of one robot, or one table of tip poses: absolute paths
   QString robot = {};           ///< robot file; empty: the recordings' own, or the left RAVEN-II
+  /// Units of tables, as recording::parseReadAs() takes them; empty: SI.
+  QString read_as = {};
   /// Displacement from which on an effect is a cause, as parseTolerance() reads it. Tables of tip poses do
   /// not use it.
   QString material = QString::fromStdString(diagnosis::formatTolerance({}));
+
+  /// Multiplies the limit of the search for causes (DiagnosisOptions::effort). Tables of tip poses do not use
+  /// it.
+  double effort = 1.0;
 
   bool operator==(const DiagnosisChoice&) const = default;
   /// Adds those of `files` that are not in `recordings` yet.

@@ -3,6 +3,7 @@
 #include <QObject>
 
 #include "core/diagnosis/experiment_design/next_experiment.h"
+#include "core/diagnosis/report/report_tables.h"
 #include "widgets/panels/diagnosis/diagnosis_text.h"
 
 namespace capstan::widgets {
@@ -26,7 +27,9 @@ QString markOf(Verdict verdict) {
 }  // namespace
 
 Headline verdictOf(const diagnosis::Report& report) {
-  QString below = QString::fromStdString(report.summary);
+  QString below = QString::fromStdString(diagnosis::tipText(report));
+  if (!below.isEmpty()) below += QLatin1Char('\n');
+  below += QString::fromStdString(report.summary);
   for (const diagnosis::Tie& tie : report.ties)
     if (!tie.separate.empty())
       below += QLatin1Char('\n') +

@@ -11,8 +11,8 @@ struct Headline {
   QString head, below;
 };
 
-/// Verdict with a mark that distinguishes it in grey print too; below it the summary, and for ties the motion
-/// that would distinguish the causes.
+/// Verdict with a mark that distinguishes it in grey print too; below it the tip displacement, the summary,
+/// and for ties the motion that would distinguish the causes.
 Headline verdictOf(const diagnosis::Report& report);
 Headline searchingHeadline();
 Headline emptyHeadline();      ///< no recording is chosen

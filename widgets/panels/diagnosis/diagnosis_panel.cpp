@@ -10,12 +10,14 @@
 #include "widgets/panels/diagnosis/cause_tree.h"
 #include "widgets/panels/diagnosis/diagnosis_headline.h"
 #include "widgets/panels/diagnosis/diagnosis_text.h"
+#include "widgets/panels/diagnosis/effort_box.h"
 #include "widgets/panels/diagnosis/hypothesis_card.h"
 #include "widgets/panels/diagnosis/ranking_table.h"
 #include "widgets/panels/diagnosis/recording_picker.h"
 #include "widgets/panels/diagnosis/report_files.h"
 #include "widgets/panels/diagnosis/report_pages.h"
 #include "widgets/panels/diagnosis/tolerance_edit.h"
+#include "widgets/panels/work/folder_dialog.h"
 
 namespace capstan::widgets {
 
@@ -24,12 +26,6 @@ using diagnosis::Report;
 namespace {
 
 constexpr int kCauseShare = 25;  ///< share of the height for the causes, the rest for the figures [%]
-
-QString namesOf(const QStringList& paths) {
-  QStringList names;
-  for (const QString& path : paths) names << QFileInfo(path).fileName();
-  return names.join(QStringLiteral(", "));
-}
 
 }  // namespace
 
@@ -40,6 +36,7 @@ DiagnosisPanel::DiagnosisPanel(DiagnosisRun run, QWidget* parent) : WorkPanel(pa
   addFoot({save_, use_, page_}, tr("state of the diagnosis"));
   connect(picker_, &RecordingPicker::changed, this, &DiagnosisPanel::onInput);
   connect(tolerance_, &ToleranceEdit::changed, this, &DiagnosisPanel::onInput);
+  connect(effort_, &EffortBox::changed, this, &DiagnosisPanel::onInput);
   connect(causes_, &CauseTree::chosenChanged, this, &DiagnosisPanel::onCause);
   connect(pages_, &ReportPages::candidateChosen, this, &DiagnosisPanel::onCandidate);
   connect(pages_, &ReportPages::currentChanged, this, &DiagnosisPanel::showCard);
@@ -64,7 +61,11 @@ QWidget* DiagnosisPanel::makeInput() {
   rows->setContentsMargins(0, 0, 0, 0);
   rows->setSpacing(4);
   rows->addWidget(picker_ = new RecordingPicker);
-  rows->addWidget(tolerance_ = new ToleranceEdit);
+  auto* line = new QHBoxLayout;
+  line->setSpacing(10);
+  line->addWidget(tolerance_ = new ToleranceEdit, 1);
+  line->addWidget(effort_ = new EffortBox, 0, Qt::AlignTop);
+  rows->addLayout(line);
   return input;
 }
 
@@ -86,9 +87,7 @@ void DiagnosisPanel::makeButtons() {
   save_ = button("save_extended", tr("Save extended robot…"),
                  tr("The robot with the refit and the causes found, as a robot file (Ctrl+Shift+S)"),
                  [this] { askFile(); });
-  use_ = button("use_extended", tr("Use this robot"),
-                tr("The running session uses it from now on; errors restart (Ctrl+Shift+Return)"),
-                [this] { useRobot(); });
+  use_ = button("use_extended", tr("Use this robot"), QString(), [this] { useRobot(); });
   next_ = button("save_next", tr("Save next experiment…"),
                  tr("The proposed motion as a trajectory that a simulated session takes (Ctrl+Shift+N)"),
                  [this] { askTrajectory(); });
@@ -111,20 +110,23 @@ void DiagnosisPanel::setTheme(const Theme& theme) {
   styleWords(theme);
 }
 
-void DiagnosisPanel::offer(const QString& path, const QString& words) { picker_->offer(path, words); }
+void DiagnosisPanel::offer(const QString& path, const QString& words, const QString& read_as) {
+  picker_->offer(path, words, read_as);
+}
 
-void DiagnosisPanel::preselect(const QString& path, const QString& robot) {
+void DiagnosisPanel::preselect(const QString& path, const QString& robot, const QString& read_as) {
   DiagnosisChoice chosen = choice();
   if (busy() || report() || chosen.recordings != preselected_) return;
   chosen.recordings.clear();
   chosen.add({path});
   chosen.robot = robot;
+  chosen.read_as = read_as;
   preselected_ = chosen.recordings;
   choose(chosen);
 }
 
-void DiagnosisPanel::setSessionJoints(int joints) {
-  session_joints_ = joints;
+void DiagnosisPanel::setSession(const RunningSession& session) {
+  session_ = session;
   refresh();
 }
 
@@ -135,13 +137,15 @@ void DiagnosisPanel::restore(const QSettings& settings) { choose(DiagnosisChoice
 void DiagnosisPanel::choose(const DiagnosisChoice& choice) {
   picker_->setChoice(choice);
   tolerance_->setText(choice.material);
+  effort_->setEffort(choice.effort);
   onInput();
 }
 
-/// Recordings and robot of the picker, and the tolerance of the line below it.
+/// Recordings, units and robot of the picker, and tolerance and effort of the line below it.
 DiagnosisChoice DiagnosisPanel::choice() const {
   DiagnosisChoice choice = picker_->choice();
   choice.material = tolerance_->text();
+  choice.effort = effort_->effort();
   return choice;
 }
 
@@ -213,8 +217,10 @@ void DiagnosisPanel::onCandidate() {
 
 void DiagnosisPanel::useRobot() {
   if (!report()) return;
+  const QString of =
+      of_.recordings.isEmpty() ? QString() : tr(" (diagnosed: %1)").arg(fileNamesOf(of_.recordings));
   Q_EMIT robotChosen(report_->extended,
-                     tr("extended robot in use, errors restarted: %1").arg(headlineOf(*report_)));
+                     tr("extended robot in use, errors restarted: %1%2").arg(headlineOf(*report_), of));
   said_ = tr("The running session uses the extended robot; its errors restart.");
   refresh();
 }
@@ -253,10 +259,7 @@ void DiagnosisPanel::saveTrajectory(const QString& path) {
 }
 
 void DiagnosisPanel::askFolder() {
-  auto* dialog = new QFileDialog(this, tr("Folder for the page with all figures"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setFileMode(QFileDialog::Directory);
-  dialog->setOption(QFileDialog::ShowDirsOnly);
+  auto* dialog = new FolderDialog(this, tr("Folder for the page with all figures"));
   connect(dialog, &QFileDialog::fileSelected, this, &DiagnosisPanel::exportTo);
   dialog->open();
 }
@@ -289,7 +292,7 @@ void DiagnosisPanel::refresh() {
   if (!said_.isEmpty()) lines << said_;
   const Report* shown = job_.busy() ? nullptr : report();
   if (shown && said_.isEmpty()) {
-    if (!of_.recordings.isEmpty()) lines << tr("Of %1.").arg(namesOf(of_.recordings));
+    if (!of_.recordings.isEmpty()) lines << tr("Of %1.").arg(fileNamesOf(of_.recordings));
     for (const std::string& notice : shown->notices) lines << QString::fromStdString(notice);
   }
   const QString all = lines.join('\n');
@@ -307,7 +310,10 @@ void DiagnosisPanel::refresh() {
   diagnose_->setEnabled(working || canDiagnose());
   for (QPushButton* one : {save_, use_, page_}) one->setVisible(shown != nullptr && !working);
   next_->setVisible(shown != nullptr && !working && shown->next);
-  use_->setEnabled(shown && session_joints_ > 0 && shown->extended.size() == session_joints_);
+  const UseOffer offer = shown ? useOffer(*shown, of_, session_) : UseOffer{false, tr("Use this robot"), {}};
+  use_->setText(offer.words);
+  use_->setToolTip(offer.tip);
+  use_->setEnabled(offer.enabled);
 }
 
 void DiagnosisPanel::resizeEvent(QResizeEvent* event) {

@@ -8,6 +8,7 @@
 #include "widgets/jobs/job.h"
 #include "widgets/panels/diagnosis/diagnosis_choice.h"
 #include "widgets/panels/diagnosis/report_export.h"
+#include "widgets/panels/diagnosis/running_session.h"
 #include "widgets/panels/work/work_panel.h"
 
 class QPushButton;
@@ -17,6 +18,7 @@ class QSplitter;
 namespace capstan::widgets {
 
 class CauseTree;
+class EffortBox;
 class HypothesisCard;
 class RecordingPicker;
 class ReportPages;
@@ -34,14 +36,14 @@ class DiagnosisPanel : public WorkPanel {
   ~DiagnosisPanel() override;
 
   void setTheme(const Theme& theme);
-  /// Offers a complete recording of the session; `words`: text of the button that chooses it. Empty: none.
-  void offer(const QString& path, const QString& words);
-  /// Chooses the recording that the window has opened, and its robot file (empty: its own), unless the user
-  /// has chosen others or a report of the former one is shown.
-  void preselect(const QString& path, const QString& robot);
-  /// Sets the number of joints of the running session's robot, which the extended robot may replace; 0: no
-  /// session.
-  void setSessionJoints(int joints);
+  /// Offers a complete recording of the session; `words`: text of the button that chooses it; `read_as`: its
+  /// units. Empty path: none.
+  void offer(const QString& path, const QString& words, const QString& read_as = {});
+  /// Chooses the recording that the window has opened, its robot file (empty: its own) and its units, unless
+  /// the user has chosen others or a report of the former one is shown.
+  void preselect(const QString& path, const QString& robot, const QString& read_as = {});
+  /// Sets the running session, whose robot the extended robot may replace.
+  void setSession(const RunningSession& session);
   void save(QSettings& settings) const;
   void restore(const QSettings& settings);
 
@@ -100,11 +102,12 @@ class DiagnosisPanel : public WorkPanel {
   DiagnosisChoice of_;  ///< choice that the report belongs to
   QString failed_;      ///< error why there is no report; empty: none
   QString said_;
-  int session_joints_ = 0;
+  RunningSession session_;
   QStringList preselected_;  ///< recording that preselect() has chosen
   bool user_split_ = false;
   RecordingPicker* picker_;
   ToleranceEdit* tolerance_;
+  EffortBox* effort_;
   QSplitter *split_, *top_;
   CauseTree* causes_;
   HypothesisCard* card_;

@@ -54,7 +54,9 @@ QString headlineOf(const diagnosis::Report& report) {
     case Verdict::kSeveral:
       return QObject::tr("Several causes: %1").arg(causes.join(QStringLiteral("; ")));
     case Verdict::kTie: {
-      const QStringList tied = report.ties.empty() ? causes : namesOf(report.ties[0].causes, report.extended);
+      const QStringList tied = report.ties.empty()
+                                   ? causes
+                                   : namesOf(diagnosis::mostProbableFirst(report.ties[0]), report.extended);
       return QObject::tr("Cannot be distinguished: %1").arg(tied.join(QObject::tr(" — or ")));
     }
     case Verdict::kUnexplained:

@@ -30,8 +30,8 @@ QString intervalTip(const stats::Interval& interval, double scale) {
 GainTable::GainTable(QWidget* parent) : QTreeWidget(parent) {
   setObjectName("gain");
   setColumnCount(kColumns);
-  setHeaderLabels({tr("RMS error of"), tr("robot file"), tr("refitted"), tr("extended"), tr("left"),
-                   tr("■ refitted\n● extended")});
+  setHeaderLabels({tr("RMS error of"), tr("robot file"), tr("refitted"), tr("extended"),
+                   tr("extended /\nrefitted"), tr("■ refitted\n● extended")});
   headerItem()->setToolTip(kDrawn, tr("RMS with 95 % intervals; one axis for angles, one for lengths"));
   headerItem()->setToolTip(kLeft,
                            tr("Share of the refitted model's error that is left, with its 95 % interval"));

@@ -26,6 +26,25 @@ void setTicks(QTreeWidgetItem& item, int column, const IntervalAxis& axis, const
   item.setData(column, kInkRole, theme.muted);
 }
 
+/// Numbers of the ticks at `x`, each within the cell.
+void drawNumbers(QPainter* painter, const QRect& cell, const QStringList& numbers,
+                 const std::vector<double>& x) {
+  std::vector<double> centre, width;
+  for (int i = 0; i < numbers.size(); ++i) {
+    width.push_back(QFontMetricsF(painter->font()).horizontalAdvance(numbers[i]));
+    const double left =
+        std::clamp(x[static_cast<std::size_t>(i)] - 0.5 * width.back(), static_cast<double>(cell.left()),
+                   std::max<double>(cell.left(), cell.right() - width.back()));
+    centre.push_back(left + 0.5 * width.back());
+  }
+  for (const int i : numbersDrawn(centre, width)) {
+    const auto k = static_cast<std::size_t>(i);
+    painter->drawText(
+        QRectF(centre[k] - 0.5 * width[k], cell.top() + 4.0, width[k] + 1.0, cell.height() - 4.0),
+        Qt::AlignCenter, numbers[i]);
+  }
+}
+
 void drawTicks(QPainter* painter, const QRect& cell, const QModelIndex& index) {
   const QColor ink = index.data(kInkRole).value<QColor>();
   const QStringList numbers = index.data(kNumbersRole).toStringList();
@@ -33,19 +52,16 @@ void drawTicks(QPainter* painter, const QRect& cell, const QModelIndex& index) {
   constexpr int kQuiet = 90;  // of 255: the lines stay behind the marks
   QColor line = ink;
   line.setAlpha(kQuiet);
-  for (int i = 0; i < ticks.size(); ++i) {
-    const double x = xOf(cell, ticks[i].toDouble());
-    painter->setPen(QPen(line, 1.0));
+  painter->setPen(QPen(line, 1.0));
+  std::vector<double> places;
+  for (const QVariant& tick : ticks) {
+    const double x = xOf(cell, tick.toDouble());
+    places.push_back(x);
     painter->drawLine(QPointF(x, cell.top()),
                       QPointF(x, numbers.isEmpty() ? cell.bottom() + 1 : cell.top() + 4));
-    if (i >= numbers.size()) continue;
-    const double width = QFontMetricsF(painter->font()).horizontalAdvance(numbers[i]);
-    const double left = std::clamp(x - 0.5 * width, static_cast<double>(cell.left()),
-                                   std::max<double>(cell.left(), cell.right() - width));
-    painter->setPen(ink);
-    painter->drawText(QRectF(left, cell.top() + 4.0, width + 1.0, cell.height() - 4.0), Qt::AlignCenter,
-                      numbers[i]);
   }
+  painter->setPen(ink);
+  drawNumbers(painter, cell, numbers.mid(0, ticks.size()), places);
 }
 
 void drawIntervals(QPainter* painter, const QRect& cell, const QModelIndex& index) {
@@ -65,6 +81,24 @@ void drawIntervals(QPainter* painter, const QRect& cell, const QModelIndex& inde
 }
 
 }  // namespace
+
+std::vector<int> numbersDrawn(const std::vector<double>& centre, const std::vector<double>& width) {
+  constexpr double kGap = 6.0;  // between two numbers [px]
+  const int count = static_cast<int>(centre.size());
+  for (int stride = 1; stride < count; ++stride) {
+    std::vector<int> drawn;
+    bool fits = true;
+    for (int i = 0; i < count; i += stride) {
+      const auto at = [](int k) { return static_cast<std::size_t>(k); };
+      if (!drawn.empty())
+        fits = fits && centre[at(i)] - 0.5 * width[at(i)] >=
+                           centre[at(drawn.back())] + 0.5 * width[at(drawn.back())] + kGap;
+      drawn.push_back(i);
+    }
+    if (fits) return drawn;
+  }
+  return count > 0 ? std::vector<int>{count - 1} : std::vector<int>{};
+}
 
 IntervalAxis IntervalAxis::to(double reach) {
   constexpr double kMostSteps = 4.0;

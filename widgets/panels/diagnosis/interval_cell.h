@@ -18,6 +18,11 @@ struct IntervalAxis {
   static IntervalAxis to(double reach);
 };
 
+/// Which of the numbers at an axis are drawn, so that none touches another: every number, else every second,
+/// and so on; the first and the last if no other fits, and at least the last. `centre`, `width`: of each
+/// number [px], from left to right.
+std::vector<int> numbersDrawn(const std::vector<double>& centre, const std::vector<double>& width);
+
 /// Delegate that draws in a cell two values with their intervals, one above the other: before as a square,
 /// after as a disc. Cells with the same unit share one axis. Each cell draws its ticks as lines; their
 /// numbers are in a separate cell.

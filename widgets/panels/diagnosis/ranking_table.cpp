@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/diagnosis/report/report_tables.h"
 #include "widgets/figures/number_text.h"
 #include "widgets/figures/share_bar.h"
 #include "widgets/panels/diagnosis/diagnosis_text.h"
@@ -19,17 +20,14 @@ using diagnosis::Candidate;
 constexpr int kCandidateRole = Qt::UserRole + 1;
 constexpr double kPoints = 10.0;
 
-/// Order of candidates: refitted ones by their score, then screened ones by the reduction that the score test
-/// predicts.
-bool better(const Candidate& a, const Candidate& b) {
-  if (a.round != b.round) return a.round < b.round;
-  if (a.refitted != b.refitted) return a.refitted;
-  return a.refitted ? a.score > b.score : a.screened > b.screened;
-}
-
 QString scoreText(double score) {
   return std::isfinite(score) ? withMinus(QString::number(score, 'f', std::abs(score) < 10.0 ? 1 : 0))
                               : QStringLiteral("—");
+}
+
+/// Tool tip in several lines.
+QString wrappedTip(const std::string& words) {
+  return QStringLiteral("<p>%1</p>").arg(QString::fromStdString(words).toHtmlEscaped());
 }
 
 }  // namespace
@@ -37,11 +35,14 @@ QString scoreText(double score) {
 RankingTable::RankingTable(QWidget* parent) : QTreeWidget(parent) {
   setObjectName("ranking");
   setColumnCount(kColumns);
-  setHeaderLabels({tr("candidate"), tr("takes off"), tr("score"), tr("probability")});
-  headerItem()->setToolTip(kTaken, tr("Reduction of the residual's mean square by a short refit; outlined: "
-                                      "prediction of the score test for candidates that were not refitted"));
+  setHeaderLabels({tr("candidate"), tr("trial fit\nremoves"), tr("trial\nscore"), tr("final\nprobability")});
   headerItem()->setToolTip(
-      kScore, tr("Log-likelihood of a short refit with the effect minus that without it [nats]"));
+      kTaken,
+      tr("Share of the mean square of the round's residual that a short trial fit with the effect removes; "
+         "outlined: prediction of the score test for candidates without a trial fit"));
+  headerItem()->setToolTip(
+      kScore, tr("Log-likelihood of a short trial fit with the effect minus that without it [nats]"));
+  headerItem()->setToolTip(kProbability, wrappedTip(diagnosis::rankingNote()));
   setItemDelegateForColumn(kTaken, new ShareBar(this));
   setRootIsDecorated(false);
   setItemsExpandable(false);
@@ -77,14 +78,16 @@ void RankingTable::setTheme(const Theme& theme) {
 
 void RankingTable::showReport(const diagnosis::Report& report) {
   robot_ = report.extended;
-  candidates_ = report.candidates;
-  std::stable_sort(candidates_.begin(), candidates_.end(), better);
+  candidates_ = diagnosis::rankedCandidates(report);
+  in_model_.clear();
+  for (const Candidate& candidate : candidates_) in_model_.push_back(diagnosis::isInModel(report, candidate));
   fill();
 }
 
 void RankingTable::fill() {
   const QSignalBlocker quiet(this);
   clear();
+  if (!candidates_.empty()) addNote(QString::fromStdString(diagnosis::rankingNote()));
   QTreeWidgetItem* round = nullptr;
   for (std::size_t i = 0; i < candidates_.size(); ++i) {
     if (!round || candidates_[i].round != candidates_[i - 1].round) {
@@ -101,6 +104,16 @@ void RankingTable::fill() {
   wrapWords(*this, kName);
 }
 
+void RankingTable::addNote(const QString& words) {
+  auto* note = new QTreeWidgetItem;
+  setWords(*note, kName, words);
+  note->setFlags(Qt::ItemIsEnabled);
+  note->setForeground(kName, theme_.muted);
+  note->setFont(kName, textFont(kPoints - 0.5));
+  addTopLevelItem(note);
+  note->setFirstColumnSpanned(true);
+}
+
 /// Text of the reduction. A candidate that more than doubles the mean square is only called "worse".
 QString RankingTable::takenText(double taken) {
   if (taken < -1.0) return tr("worse");
@@ -112,18 +125,23 @@ void RankingTable::addCandidate(QTreeWidgetItem* round, std::size_t index) {
   const Candidate& candidate = candidates_[index];
   const double taken = candidate.refitted ? candidate.reduction : candidate.screened;
   auto* item = new QTreeWidgetItem;
+  const bool in_model = in_model_[index];
   setWords(*item, kName,
-           titleOf(candidate.effect) + QStringLiteral(", ") + placeOf(candidate.effect, candidate.joint, {}));
+           (in_model ? QStringLiteral("● ") : QString()) + titleOf(candidate.effect) + QStringLiteral(", ") +
+               placeOf(candidate.effect, candidate.joint, {}));
   item->setToolTip(kName, titleOf(candidate.effect) + QStringLiteral(", ") +
-                              placeOf(candidate.effect, candidate.joint, robot_));
+                              placeOf(candidate.effect, candidate.joint, robot_) +
+                              (in_model ? tr(": in the model of the verdict") : QString()));
   item->setText(kTaken, takenText(taken));
   item->setText(kScore, scoreText(candidate.score));
-  item->setText(kProbability, candidate.refitted ? percentText(candidate.probability) : QStringLiteral("—"));
-  item->setFont(kName, textFont(kPoints));
+  const std::string percent = diagnosis::candidatePercent(candidate);
+  item->setText(kProbability, QString::fromStdString(percent) +
+                                  (candidate.probability > 0.0 ? QStringLiteral(" %") : QString()));
+  item->setFont(kName, textFont(kPoints, in_model));
   for (const int column : {kTaken, kScore, kProbability}) item->setFont(column, numberFont(kPoints));
   for (const int column : {kTaken, kScore, kProbability})
     item->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
-  if (!candidate.refitted)
+  if (!candidate.refitted && !in_model)
     for (int column = 0; column < kColumns; ++column) item->setForeground(column, theme_.muted);
   item->setData(0, kCandidateRole, static_cast<int>(index));
   ShareBar::set(*item, kTaken, taken, candidate.refitted ? theme_.accent : theme_.muted, candidate.refitted);

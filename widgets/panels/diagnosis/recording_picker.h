@@ -16,9 +16,9 @@ class RecordingPicker : public FilePicker {
   const DiagnosisChoice& choice() const { return choice_; }
   /// Shows `choice`; emits no signal.
   void setChoice(const DiagnosisChoice& choice);
-  /// Shows a button with the text `words` that adds the recording `path` of the session, unless it is already
-  /// chosen. If `path` is empty, there is no button.
-  void offer(const QString& path, const QString& words);
+  /// Shows a button with the text `words` that chooses the recording `path` of the session alone, read in the
+  /// units `read_as`, unless it is already chosen. If `path` is empty, there is no button.
+  void offer(const QString& path, const QString& words, const QString& read_as = {});
   /// Replaces all chosen recordings by the offered one; does nothing without one.
   void takeOffered();
   /// Opens a non-modal file dialog.
@@ -30,10 +30,11 @@ class RecordingPicker : public FilePicker {
 
  private:
   void setRobot(const QString& robot);
+  void setUnits(const QString& read_as);
 
   DiagnosisChoice choice_;
-  QString offered_;
-  QToolButton *offer_, *robot_;
+  QString offered_, offered_read_as_;
+  QToolButton *offer_, *units_, *robot_;
 };
 
 }  // namespace capstan::widgets

@@ -2,7 +2,7 @@
 
 #include <QHeaderView>
 #include <algorithm>
-#include <limits>
+#include <cmath>
 
 #include "core/diagnosis/report/report_tables.h"
 #include "core/diagnosis/report/shown.h"
@@ -72,8 +72,8 @@ void RefitTable::setTheme(const Theme& theme) {
 
 void RefitTable::showReport(const diagnosis::Report& report) {
   effects_ = diagnosis::hasEffects(report);
-  numbers_ = report.refit;
-  std::stable_partition(numbers_.begin(), numbers_.end(), [](const auto& number) { return number.moved; });
+  numbers_ = diagnosis::refitInOrder(report);
+  tolerance_ = report.material;
   fill();
 }
 
@@ -88,26 +88,36 @@ void RefitTable::fill() {
   wrapWords(*this, kName);
 }
 
+/// Why the number is emphasised, or not.
+QString RefitTable::tipOf(const diagnosis::RefitNumber& number) const {
+  const QString sigmas = number.sigma > 0.0
+                             ? tr(" (%1 standard deviations)")
+                                   .arg(std::abs(number.value - number.nominal) / number.sigma, 0, 'f', 1)
+                             : QString();
+  const QString remark = QString::fromStdString(diagnosis::refitRemark(number, tolerance_)) + sigmas;
+  return number.material
+             ? tr("Bold: changed by more than two standard deviations, and the change alone moves a "
+                  "joint by more than the tolerance; %1")
+                   .arg(remark)
+             : remark;
+}
+
 void RefitTable::addNumber(const diagnosis::RefitNumber& number) {
-  const double change =
-      number.nominal != 0.0 ? number.value / number.nominal - 1.0 : std::numeric_limits<double>::quiet_NaN();
-  QString changed = percentText(change, 1, true);
+  QString changed = QString::fromStdString(diagnosis::refitChange(number));
   if (number.at_bound) changed += tr("\nat its bound");
   auto* item = new QTreeWidgetItem({QString(), shown(number.nominal, 0.0, number.unit),
                                     shown(number.value_without, 0.0, number.unit),
                                     shown(number.value, number.sigma, number.unit), changed});
   setWords(*item, kName, nameOf(number));
-  const QString tip = number.at_bound ? tr("It would go further than the refit allows")
-                      : number.moved  ? tr("Changed by more than two standard deviations")
-                                      : tr("Changed by less than two standard deviations");
+  const QString tip = tipOf(number);
+  const QColor colour = number.moved ? theme_.text : theme_.muted;
   for (int column = 0; column < kColumns; ++column) {
-    const bool bold = number.moved && (column == kName || column == kValue);
+    const bool bold = number.material && column != kNominal && column != kWithout;
     item->setFont(column, column == kName ? textFont(kPoints, bold) : numberFont(kPoints, bold));
-    item->setForeground(column, number.moved ? theme_.text : theme_.muted);
+    item->setForeground(column, colour);
     if (column != kName) item->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
     item->setToolTip(column, tip);
   }
-  if (number.at_bound) item->setFont(kChange, numberFont(kPoints, true));
   addTopLevelItem(item);
 }
 

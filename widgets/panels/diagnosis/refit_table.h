@@ -8,8 +8,9 @@
 namespace capstan::widgets {
 
 /// Parameters of the nominal model after the refit, in two columns: refitted without the effects and together
-/// with them; one column if the model has no effects. Parameters that changed are first and bold. If a
-/// parameter is at the limit that the refit allows, its change is marked.
+/// with them; one column if the model has no effects. Parameters whose change is significant and material
+/// are first and bold, then those that moved. If a parameter is at the limit that the refit allows, its
+/// change says so.
 class RefitTable : public QTreeWidget {
   Q_OBJECT
 
@@ -26,10 +27,12 @@ class RefitTable : public QTreeWidget {
  private:
   void fill();
   void fitNames();
+  QString tipOf(const diagnosis::RefitNumber& number) const;
   void addNumber(const diagnosis::RefitNumber& number);
 
   Theme theme_ = Theme::dark();
   std::vector<diagnosis::RefitNumber> numbers_;
+  diagnosis::Tolerance tolerance_;
   bool effects_ = false;  ///< the model has effects
 };
 

@@ -23,7 +23,8 @@ ReportPages::ReportPages(QWidget* parent) : QTabWidget(parent) {
   };
   page(signatures_ = new SignatureView, tr("Signatures"), tr("What the residual depends on"));
   page(history_ = new TimeView, tr("Over time"), tr("Measured, simulated, and residual, over time"));
-  page(ranking_ = new RankingTable, tr("Ranking"), tr("Every candidate with its reduction of the residual"));
+  page(ranking_ = new RankingTable, tr("Ranking"),
+       tr("Every candidate of the search: its trial fit, and its probability in the end"));
   page(refit_ = new RefitTable, tr("Refit"),
        tr("Parameters of the robot changed by the refit, without and with the effects"));
   page(gain_ = new GainTable, tr("Gain"),

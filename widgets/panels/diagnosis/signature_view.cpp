@@ -60,7 +60,7 @@ QTreeWidget* variableList() {
   auto* list = new QTreeWidget;
   list->setObjectName("variables");
   list->setColumnCount(kColumns);
-  list->setHeaderLabels({QObject::tr("variable"), QObject::tr("before"), QObject::tr("after")});
+  list->setHeaderLabels({QObject::tr("share of residual by"), QObject::tr("before"), QObject::tr("after")});
   list->headerItem()->setToolTip(
       kBefore,
       QObject::tr("Share of the refitted model's residual variance that this variable alone explains"));

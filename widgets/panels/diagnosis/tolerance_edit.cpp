@@ -57,7 +57,7 @@ void ToleranceEdit::check() {
   } catch (const base::InputError& error) {
     error_ = QString::fromStdString(error.what());
   }
-  words_->setText(error_.isEmpty() ? tr("RMS motion of a joint that makes a cause") : error_);
+  words_->setText(error_.isEmpty() ? tr("joint motion, RMS") : error_);
   QPalette palette = words_->palette();
   palette.setColor(QPalette::WindowText, error_.isEmpty() ? theme_.muted : theme_.fault);
   words_->setPalette(palette);

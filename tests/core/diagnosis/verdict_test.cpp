@@ -1,0 +1,70 @@
+// The words and sizes of a verdict: of effects that may be there, too.
+#include "core/diagnosis/selection/verdict.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/diagnosis/hypotheses/joint_scales.h"
+#include "core/diagnosis/report/shown.h"
+#include "tests/core/diagnosis/planted_evidence.h"
+
+namespace capstan::diagnosis {
+namespace {
+
+constexpr double kHalfWidth = 3e-4;  // m
+
+/// A selection of the refitted nominal robot; the most probable set has a backlash of joint 2.
+Selection undecided(const FitData& data, const Planted& planted) {
+  const FitModel nominal(planted.robot, jointScales(planted.evidence, planted.robot));
+  const SetFit without = SetFitter(data).nominal(nominal, Eigen::VectorXd::Zero(nominal.size()));
+  const Hypothesis& backlash = *hypothesisNamed("backlash");
+  const FitModel model = nominal.with(backlash, 2, {{kHalfWidth, 1.0}, {kHalfWidth, 0.0}});
+  SetFit with{
+      {{&backlash, 2}},
+      linearise(data, model, model.startFrom(nominal, without.fit.u), noneBeyond(data), without.weighting),
+      without.weighting,
+      without.fitted,
+      without.squares,
+      true};
+  SetFitter::thin(with);
+  return {.base = without.fit,
+          .base_squares = without.squares,
+          .input_noise = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(data.channels().size())),
+          .best = without.fit,
+          .best_squares = without.squares,
+          .weighting = without.weighting,
+          .effects = {},
+          .uncertain = {{{&backlash, 2}, 0.58}},
+          .competitors = {},
+          .posterior = {},
+          .probable = {{with, 0.58}, {without, 0.42}},
+          .candidates = {}};
+}
+
+TEST(Verdict, GivesTheSizeOfAnEffectThatMayBeThere) {
+  const Planted planted(1);
+  const FitData data(planted.evidence, planted.robot, 0.0, EncoderZeros::kKnown, 2);
+  Report report;
+  judge(data, undecided(data, planted), planted.robot, report);
+  EXPECT_TRUE(report.causes.empty()) << "it is no cause";
+  ASSERT_EQ(report.uncertain.size(), 1U);
+  const Cause& one = report.uncertain.front();
+  EXPECT_EQ(one.effect, "backlash");
+  EXPECT_EQ(one.joint, 2);
+  EXPECT_EQ(one.probability, 0.58);
+  const FoundParameter& half_width = one.parameters.front();
+  EXPECT_NEAR(half_width.value, kHalfWidth, 1e-9);
+  EXPECT_GT(half_width.sigma, 0.0);
+  const double radius = planted.robot.drives[1].link_radius;
+  EXPECT_NEAR(half_width.joint_per_length * radius, 1.0, 1e-12);
+  ASSERT_EQ(one.moves.joints.size(), 3U);
+  EXPECT_GT(one.moves.joints[1].largest, 0.5 * kHalfWidth / radius);
+  const std::string words =
+      "Backlash (joint 2) may be there, too (probability 58 %): " + shownParameter("backlash", half_width);
+  EXPECT_NE(report.summary.find(words), std::string::npos) << report.summary;
+  EXPECT_NE(report.summary.find("; moves joint 2 by "), std::string::npos) << report.summary;
+}
+
+}  // namespace
+}  // namespace capstan::diagnosis
