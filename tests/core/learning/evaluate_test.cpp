@@ -33,10 +33,16 @@ const PreparedStates& sample() {
 }
 const std::vector<State>& states() { return sample().states; }
 
+/// Of the sample with the quick options.
+const HeldOutEvaluation& sampleEvaluation() {
+  static const HeldOutEvaluation evaluation = evaluateHeldOut(sample(), quick(), {});
+  return evaluation;
+}
+
 constexpr double kRounding = 1e-6;  ///< a search ends elsewhere when sums are rounded elsewhere [m, rad]
 
 TEST(EvaluateHeldOut, TrajectoriesHeldOutAreBetterAtEachStep) {
-  const HeldOutEvaluation evaluation = evaluateHeldOut(sample(), quick(), {});
+  const HeldOutEvaluation& evaluation = sampleEvaluation();
   ASSERT_TRUE(evaluation.learned);
   EXPECT_EQ(evaluation.motions, 20U);
   EXPECT_EQ(evaluation.motions_held, 4U);
@@ -65,7 +71,7 @@ TEST(EvaluateHeldOut, ErrorsAreThoseOfTheStudysLastMethod) {
 }
 
 TEST(EvaluateHeldOut, TrainsAsLearnDoes) {
-  const HeldOutEvaluation evaluation = evaluateHeldOut(sample(), quick(), {});
+  const HeldOutEvaluation& evaluation = sampleEvaluation();
   PreparedStates others = sample();
   std::erase_if(others.states, [&](const State& state) { return evaluation.held[state.motion]; });
   const LearningReport learned = learnPrepared(others, quick());
@@ -74,8 +80,8 @@ TEST(EvaluateHeldOut, TrainsAsLearnDoes) {
     EXPECT_TRUE(corrected[k].isApprox(evaluation.corrected[k], 1e-12)) << k;
 }
 
-TEST(Evaluate, OfTheStatesHeldOutIsThatOfHoldingThemOut) {
-  const HeldOutEvaluation evaluation = evaluateHeldOut(sample(), quick(), {});
+TEST(EvaluateHeldOut, IsTheEvaluationOfTheStatesHeldOut) {
+  const HeldOutEvaluation& evaluation = sampleEvaluation();
   const std::vector<State> test = splitStates(states(), evaluation.held).test;
   const Evaluation again = evaluate(*evaluation.learned, test, quick());
   EXPECT_EQ(again.states, evaluation.test.states);
@@ -115,7 +121,7 @@ TEST(CorrectionStudy, WhatJittersIsNoise) {
 }
 
 /// Pooled: shares of the twelve trajectories that one trial holds out differ from seed to seed.
-TEST(EvaluateHeldOut, TellsHowOftenErrorsAreAsStated) {
+TEST(StatedErrors, AreAsFrequentAsStated) {
   const PreparedStates noisy = noisySample();
   StatedErrors pooled;
   std::size_t held = 0;
