@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <QEvent>
+#include <QLabel>
 #include <cmath>
 
 #include "widgets/figures/theme.h"
@@ -50,6 +52,32 @@ TEST_P(ThemeTest, QuantitiesKeepTheirColourAndAreToldApartByLine) {
   EXPECT_LT(kinematic.widthF() + 1.0, ukf.widthF()) << "the filter's line shows on both sides of a dash";
   EXPECT_EQ(kinematic.style(), Qt::DashLine);
   EXPECT_EQ(ukf.style(), Qt::SolidLine);
+}
+
+/// Counts how often Qt computes the style of a widget.
+class StyledLabel : public QLabel {
+ public:
+  int styled() const { return styled_; }
+
+ private:
+  bool event(QEvent* event) override {
+    styled_ += event->type() == QEvent::StyleChange;
+    return QLabel::event(event);
+  }
+  int styled_ = 0;
+};
+
+TEST(Restyle, ComputesStylesOnlyForAnotherStyleSheet) {
+  StyledLabel label;
+  label.ensurePolished();
+  restyle(label, "color: red;");
+  const int once = label.styled();
+  EXPECT_GT(once, 0);
+  restyle(label, "color: red;");
+  EXPECT_EQ(label.styled(), once);
+  restyle(label, "color: blue;");
+  EXPECT_GT(label.styled(), once);
+  EXPECT_EQ(label.styleSheet(), "color: blue;");
 }
 
 INSTANTIATE_TEST_SUITE_P(Themes, ThemeTest, testing::Values("dark", "light"));

@@ -148,6 +148,10 @@ QString noticeStyle(const Theme& theme, const QColor& edge) {
       .arg(theme.raised.name(), edge.name(), theme.text.name());
 }
 
+void restyle(QWidget& widget, const QString& style_sheet) {
+  if (widget.styleSheet() != style_sheet) widget.setStyleSheet(style_sheet);
+}
+
 void applyTheme(QApplication& application, const Theme& theme) {
   application.setStyle(QStyleFactory::create("Fusion"));
   QPalette palette;

@@ -125,7 +125,7 @@ void CalibrationPanel::say(const QString& text, bool warning) {
   warning_ = warning;
   message_->setText(text);
   message_->setVisible(!text.isEmpty());
-  message_->setStyleSheet(noticeStyle(theme_, warning ? theme_.warning : theme_.accent));
+  restyle(*message_, noticeStyle(theme_, warning ? theme_.warning : theme_.accent));
 }
 
 void CalibrationPanel::clear() {

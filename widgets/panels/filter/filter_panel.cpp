@@ -177,7 +177,7 @@ void FilterPanel::refresh() {
                   : changes.empty()
                       ? tr("As in the source. A change restarts the filter and the error table.")
                       : tr("Other than in the source: %1").arg(QString::fromStdString(changes)));
-  words_->setStyleSheet(noticeStyle(theme_, refusal_.isEmpty() ? theme_.border : theme_.fault));
+  restyle(*words_, noticeStyle(theme_, refusal_.isEmpty() ? theme_.border : theme_.fault));
 }
 
 }  // namespace capstan::widgets

@@ -61,8 +61,8 @@ void HealthPanel::showHealth(const std::vector<HealthCheck>& checks, const track
 }
 
 void HealthPanel::paintHeadline() {
-  headline_->setStyleSheet(
-      QStringLiteral("color: %1").arg(verdictColour(tracking::worstOf(checks_), theme_).name()));
+  restyle(*headline_,
+          QStringLiteral("color: %1").arg(verdictColour(tracking::worstOf(checks_), theme_).name()));
 }
 
 void HealthPanel::setRows(std::size_t count) {

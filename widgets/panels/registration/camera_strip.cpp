@@ -150,12 +150,12 @@ void CameraStrip::refresh() {
     const bool fails = check.state == CheckState::kFail;
     labels_[i]->setText(lineOf(check));
     labels_[i]->setToolTip(shown(check.remedy));
-    labels_[i]->setStyleSheet(QString("color: %1; font-weight: %2;")
-                                  .arg((fails                                 ? theme_.warning
-                                        : check.state == CheckState::kUnknown ? theme_.muted
-                                                                              : theme_.text)
-                                           .name(),
-                                       fails ? "bold" : "normal"));
+    restyle(*labels_[i], QString("color: %1; font-weight: %2;")
+                             .arg((fails                                 ? theme_.warning
+                                   : check.state == CheckState::kUnknown ? theme_.muted
+                                                                         : theme_.text)
+                                      .name(),
+                                  fails ? "bold" : "normal"));
     if (!check.remedy.empty()) remedies << shown(check.remedy);
     if (!check.button.empty()) button = shown(check.button);
   }

@@ -108,9 +108,8 @@ void StopPage::showGuide(const registration::RegistrationGuide& guide) {
     cells_[i][1]->setText(inUnits(joint, joint.homing + distance, false));
     cells_[i][2]->setText(inUnits(joint, distance, true));
     cells_[i][3]->setText(arrival.near[i] ? "✓ at the stop" : "on its way");
-    cells_[i][3]->setStyleSheet(arrival.near[i]
-                                    ? QString("color:%1; font-weight:bold;").arg(theme_.text.name())
-                                    : QString("color:%1;").arg(theme_.muted.name()));
+    restyle(*cells_[i][3], arrival.near[i] ? QString("color:%1; font-weight:bold;").arg(theme_.text.name())
+                                           : QString("color:%1;").arg(theme_.muted.name()));
   }
   const double wanted = registration::RegistrationGuide::kRestTime;
   rest_->setRange(0, 100);
