@@ -206,12 +206,57 @@ TEST_F(CameraSideOfAVideo, GivesPairsAtTheVideosRate) {
   EXPECT_EQ(cameras.status().dropped, 0U);
 }
 
+/// The computer stalls at 0.2 s for 0.5 s.
+TEST_F(CameraSideOfAVideo, ImagesThatAreLateArePassedOver) {
+  SampleQueue queue(1000, kFrames);
+  const auto start = CameraSide::Clock::now();
+  const auto since = [&](CameraSide::Clock::time_point at) -> std::optional<double> {
+    const double seconds = std::chrono::duration<double>(at - start).count();
+    return seconds + (seconds > 0.2 ? 0.5 : 0.0);
+  };
+  CameraSide cameras(setup(), {since, {}, {}, {}}, queue);
+  int images = 0;
+  double last = 0.0;
+  while (queue.ready(500ms)) {
+    tracking::Sample sample;
+    queue.take(sample);
+    const auto& frame = std::get<tracking::StereoFrame>(sample);
+    const long k = std::lround(30.0 * (frame.t + 0.02));
+    EXPECT_NEAR(columnOf(frame.left), 10 + static_cast<double>(k), 0.5) << "the image of its time";
+    EXPECT_LT(frame.t_arrival - frame.t, 0.02 + 0.3 + 0.1) << k << ", a tenth for a busy machine";
+    last = frame.t;
+    ++images;
+  }
+  EXPECT_NEAR(last, (kFrames - 1) / 30.0 - 0.02, 1e-3) << "to the end";
+  EXPECT_GT(cameras.status().dropped, 5U) << "of 15 in the stall";
+  EXPECT_EQ(images + static_cast<int>(cameras.status().dropped), kFrames);
+}
+
+TEST_F(CameraSideOfAVideo, ASkipLeadsToTheImageOfItsTime) {
+  for (const double rate : {0.0, 15.0}) {
+    VideoSettings settings;
+    settings.rate = rate;
+    VideoStream video(path_.string(), settings);
+    const double period = 1.0 / (rate > 0.0 ? rate : 30.0);
+    cv::Mat image;
+    for (int k = 0; k < 3; ++k) ASSERT_TRUE(video.read(image));
+    EXPECT_EQ(video.skip(10.5 * period), 10);
+    ASSERT_TRUE(video.read(image));
+    EXPECT_NEAR(video.position(), 13 * period, 1e-3);
+    EXPECT_NEAR(columnOf(image.colRange(0, 64)), 10 + 13, 0.5);
+    EXPECT_EQ(video.skip(-1.0), 0);
+  }
+}
+
 TEST_F(CameraSideOfAVideo, BeginsWithTheSession) {
   SampleQueue queue(1000, kFrames);
   std::atomic<bool> begun = false;
   CameraSide cameras(
       setup(),
-      {[&](CameraSide::Clock::time_point) { return begun ? std::optional(1.0) : std::nullopt; }, {}, {}, {}},
+      {[&](CameraSide::Clock::time_point) { return begun ? std::optional(1.0) : std::nullopt; },
+       {},
+       [] { return 1.0; },
+       {}},
       queue);
   EXPECT_FALSE(queue.ready(300ms));
   EXPECT_EQ(cameras.status().received, 0U);
