@@ -5,18 +5,20 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/live/cameras/http_images.h"
 #include "core/live/streams/address.h"
 #include "core/live/topic_hint.h"
 #include "core/ros1/bag_topics.h"
 #include "core/ros1/received_image.h"
 #include "core/ros1/ros_topics.h"
-#include "core/ros1/stamp.h"
 
 namespace capstan::live {
 namespace {
 
 using State = tracking::SideStatus::State;
 constexpr std::size_t kWaiting = 16;  // images of a topic that may wait: 0.5 s of 30 images/s
+
+constexpr double kLate = 0.3;  // an image of a file that is later is passed over [s]
 
 /// Left and right half, or upper and lower half, of one image, copied.
 std::array<cv::Mat, 2> eyesOf(const cv::Mat& both, CameraLayout layout) {
@@ -26,6 +28,16 @@ std::array<cv::Mat, 2> eyesOf(const cv::Mat& both, CameraLayout layout) {
   }
   const int half = both.rows / 2;
   return {both.rowRange(0, half).clone(), both.rowRange(half, 2 * half).clone()};
+}
+
+/// Whether the streams have stamps of two computers. ROS topics have synchronised clocks, or simulated time.
+bool mayDiffer(const std::vector<std::string>& addresses) {
+  const auto server = [](const std::string& address) {
+    const std::size_t host = address.find("://") + 3;
+    return address.substr(host, address.find_first_of("/?", host) - host);
+  };
+  return addresses.size() == 2 && std::ranges::all_of(addresses, isHttpAddress) &&
+         server(addresses[0]) != server(addresses[1]);
 }
 
 VideoSettings settingsOf(const CamerasSetup& setup) {
@@ -41,7 +53,8 @@ CameraSide::CameraSide(const CamerasSetup& setup, SessionClock clock, SampleQueu
                                                     : std::vector{setup.left}),
       session_(std::move(clock)),
       queue_(queue),
-      pairer_(setup.pairing) {
+      pairer_(setup.pairing),
+      clock_(mayDiffer(addresses_) ? ImageClock::Streams::kMayDiffer : ImageClock::Streams::kOneClock) {
   newest_.fill({start_, start_});
   status_.name = "cameras";
   status_.counted = "image";
@@ -130,6 +143,27 @@ CameraSide::Times CameraSide::waitUntilDue(double position) const {
   return {0, now, due};
 }
 
+/// By how much the image of a file is late that is read now [s].
+double CameraSide::latenessOf(double position) const {
+  const std::optional<double> time = session_.at(Clock::now());
+  return time ? *time - (session_.begin ? session_.begin() : 0.0) - position : 0.0;
+}
+
+/// Reads images of a late file without waiting; if that is not enough, searches in it for the image that is
+/// due when it has been found. Returns the number of images that were passed over.
+std::uint64_t CameraSide::catchUp(VideoStream& video) const {
+  constexpr double kMost = 0.3;  // of reading on [s]
+  const auto seconds = [](Clock::duration time) { return std::chrono::duration<double>(time).count(); };
+  const Clock::time_point begin = Clock::now();
+  std::uint64_t passed_over = 0;
+  for (cv::Mat image; !quit_ && seconds(Clock::now() - begin) < kMost; ++passed_over) {
+    if (latenessOf(video.position()) <= 0.0 || !video.read(image)) return passed_over;
+  }
+  // FFmpeg goes back to a key image and decodes from there, which takes as long as some images.
+  constexpr double kSearch = 0.5;  // [s]
+  return passed_over + static_cast<std::uint64_t>(video.skip(latenessOf(video.position()) + kSearch));
+}
+
 void CameraSide::readStream(int stream, VideoStream& video) {
   {
     const std::lock_guard lock(mutex_);
@@ -138,9 +172,15 @@ void CameraSide::readStream(int stream, VideoStream& video) {
   }
   if (video.isFile()) waitForSession();
   cv::Mat image;
+  std::uint64_t passed_over = 0;
   while (!quit_ && video.read(image)) {
-    const Times times = video.isFile() ? waitUntilDue(video.position()) : Times{0, video.arrival()};
-    take(stream, image, times, 0);
+    const Times times =
+        video.isFile() ? waitUntilDue(video.position()) : Times{video.stamp(), video.arrival()};
+    if (video.isFile() && latenessOf(video.position()) > kLate) {
+      passed_over += 1 + catchUp(video);
+      continue;
+    }
+    take(stream, image, times, video.lost() + std::exchange(passed_over, 0));
     image.release();  // the next one must not overwrite it
   }
 }
@@ -179,37 +219,50 @@ void CameraSide::workOnTopic(int stream, const std::string& topic) {
   }
 }
 
-/// Time by which images are paired [s]: the session's of files, the stamp, or the arrival at this computer
-/// since start_ where there are none. An image without a stamp between others with one gets the stamp that
-/// would have come with it.
+/// Time by which images are paired [s]: the session's of files, else that of ImageClock.
 double CameraSide::pairingTime(int stream, const Times& times) {
   if (files_) return times.session;
-  const double arrival = std::chrono::duration<double>(times.arrival - start_).count();
-  if (times.stamp == 0) return origin_ == 0 ? arrival : clock_.toDevice(arrival);
-  if (origin_ == 0) origin_ = times.stamp;
-  const double device = ros1::secondsOf(times.stamp - origin_);
-  clock_.add(device, arrival, static_cast<std::size_t>(stream));
-  return device;
+  return clock_.add(stream, times.stamp, std::chrono::duration<double>(times.arrival - start_).count());
 }
 
 /// Time at which images of this time would have arrived with the smallest delay.
 CameraSide::Clock::time_point CameraSide::computerTime(double pairing_time) const {
-  const double since = origin_ == 0 ? pairing_time : clock_.toSession(pairing_time);
-  return start_ + std::chrono::round<Clock::duration>(std::chrono::duration<double>(since));
+  return start_ + std::chrono::round<Clock::duration>(
+                      std::chrono::duration<double>(clock_.computerTime(pairing_time)));
 }
 
-/// Time of a pair on the session's clock [s]. Where motors and images have stamps of the same clock, the
-/// stamps tell it, and the arrivals only show whether the clocks agree: by them an image is later by its
-/// delay.
-std::optional<double> CameraSide::exposureOf(const FramePair& pair) const {
-  constexpr double kEarliest = -0.02, kLatest = 0.25;  // delay of the fastest images beyond that of rows [s]
+/// Time of a stamp on this computer's clock, if it is since 1970 on a clock that agrees with this computer's.
+std::optional<CameraSide::Clock::time_point> CameraSide::timeOfStamp(std::int64_t stamp,
+                                                                     Clock::time_point by_arrival) {
+  using Nanoseconds = std::chrono::nanoseconds;
+  constexpr std::chrono::milliseconds kStep{100};
+  const Nanoseconds since = std::chrono::system_clock::now().time_since_epoch() -
+                            std::chrono::round<Nanoseconds>(Clock::now().time_since_epoch());
+  if (since - computer_since_ > kStep || computer_since_ - since > kStep) ++computer_steps_;
+  computer_since_ = since;
+  const Clock::time_point by_stamp(std::chrono::round<Clock::duration>(Nanoseconds(stamp) - since));
+  const auto seconds = [](auto duration) { return std::chrono::duration<double>(duration).count(); };
+  const bool agree = with_computer_.add(seconds(by_arrival - by_stamp), clock_.steps() + computer_steps_,
+                                        seconds(by_arrival - start_));
+  return agree ? std::optional(by_stamp) : std::nullopt;
+}
+
+/// Time of a pair on the session's clock [s]. Stamps tell it where they are by the clock of the motors'
+/// stamps or of this computer, and the arrivals only show whether the clocks agree: by them an image is later
+/// by its delay.
+std::optional<double> CameraSide::exposureOf(const FramePair& pair) {
   if (files_) return pair.t;
-  const std::optional<double> by_arrival = session_.at(computerTime(pair.t));
-  if (origin_ == 0 || !by_arrival) return by_arrival;
-  const std::optional<double> by_stamp =
-      !session_.of_stamp ? std::nullopt : session_.of_stamp(origin_ + ros1::nanosecondsOf(pair.t));
-  const bool agree = by_stamp && *by_arrival - *by_stamp > kEarliest && *by_arrival - *by_stamp < kLatest;
-  return agree ? by_stamp : by_arrival;
+  const Clock::time_point arrival = computerTime(pair.t);
+  const std::optional<double> by_arrival = session_.at(arrival);
+  const std::optional<std::int64_t> stamp = clock_.stampOf(pair.t);
+  if (!stamp || !by_arrival) return by_arrival;
+  const std::optional<Clock::time_point> on_computer = timeOfStamp(*stamp, arrival);
+  const std::optional<double> by_stamp = session_.of_stamp ? session_.of_stamp(*stamp) : std::nullopt;
+  if (!by_stamp)
+    with_motors_.forget();
+  else if (with_motors_.add(*by_arrival - *by_stamp, clock_.steps(), *by_arrival))
+    return by_stamp;
+  return on_computer ? session_.at(*on_computer) : by_arrival;
 }
 
 void CameraSide::take(int stream, const cv::Mat& image, const Times& times, std::uint64_t lost) {

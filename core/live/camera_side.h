@@ -11,9 +11,10 @@
 
 #include "core/live/cameras/frame_pairer.h"
 #include "core/live/cameras/video_stream.h"
+#include "core/live/image_clock.h"
 #include "core/live/live_setup.h"
 #include "core/live/sample_queue.h"
-#include "core/live/streams/clock_map.h"
+#include "core/live/streams/clock_agreement.h"
 #include "core/live/streams/gap_counter.h"
 #include "core/tracking/source.h"
 
@@ -25,9 +26,12 @@ class TopicHint;
 /// pairs into a queue. A pair with an image that equals the one before is excluded, and counted as frozen. A
 /// stream that ends or falls silent is opened again. A video file begins with the session: the time of an
 /// image is its time in the file after the session's first sample. It comes after the motors of that time.
-/// Images of ROS topics are paired by their stamps, whose clock is then mapped to that of this computer
-/// (ClockMap); others are paired by the times at which their driver had them, or at which they arrived. A
-/// reader that is behind drops images; their pairs are counted as dropped.
+/// Images of a file that are late by more than 0.3 s are passed over, and counted as dropped.
+/// Images of ROS topics, and of Motion JPEG over HTTP with X-Timestamp, are paired by their stamps
+/// (ImageClock). The stamps are the times where they are by the clock of the motors' stamps, or by this
+/// computer's clock; else their clock is mapped to this computer's. Other images are paired by the times at
+/// which their driver had them, or at which they arrived. A reader that is behind drops images; their pairs
+/// are counted as dropped.
 class CameraSide {
  public:
   using Clock = std::chrono::steady_clock;
@@ -64,11 +68,14 @@ class CameraSide {
   void take(int stream, const cv::Mat& image, const Times& times, std::uint64_t lost);
   double pairingTime(int stream, const Times& times);
   Clock::time_point computerTime(double pairing_time) const;
-  std::optional<double> exposureOf(const FramePair& pair) const;
+  std::optional<Clock::time_point> timeOfStamp(std::int64_t stamp, Clock::time_point by_arrival);
+  std::optional<double> exposureOf(const FramePair& pair);
   void pass(FramePair pair, Clock::time_point arrival);
   void waitToReopen() const;
   void waitForSession() const;
   Times waitUntilDue(double position) const;
+  double latenessOf(double position) const;
+  std::uint64_t catchUp(VideoStream& video) const;
   /// Finds the stream without images, or without new ones, for the longest time.
   void judge(tracking::SideStatus& status) const;
 
@@ -88,8 +95,10 @@ class CameraSide {
     Clock::time_point image, change;  ///< arrival of the newest image, and of the newest that was not frozen
   };
   std::array<Newest, 2> newest_;  ///< by stream
-  ClockMap clock_;                ///< from stamps to this computer's clock, where there are stamps
-  std::int64_t origin_ = 0;       ///< first stamp [ns]; 0: none yet
+  ImageClock clock_;
+  ClockAgreement with_motors_, with_computer_;  ///< of the stamps of the images
+  std::chrono::nanoseconds computer_since_{0};  ///< beginning of this computer's steady clock since 1970
+  int computer_steps_ = 0;                      ///< of this computer's time
   const Clock::time_point start_ = Clock::now();
 
   std::vector<std::thread> threads_;

@@ -1,6 +1,7 @@
 #include "core/live/player.h"
 
 #include <chrono>
+#include <cmath>
 #include <memory>
 #include <thread>
 #include <tuple>
@@ -65,6 +66,10 @@ void PlayClock::waitUntil(double since_begin) const {
                                               std::chrono::duration<double>(since_begin / speed)));
 }
 
+std::int64_t PlayClock::stampOf(double t) const {
+  return static_cast<std::int64_t>(std::llround(1e9 * (started + (speed > 0.0 ? (t - begin) / speed : 0.0))));
+}
+
 PlayReport playRows(const recording::MeasuredTable& table, const Address& to, const PlayClock& clock,
                     const PlayOptions& options, base::Progress* progress) {
   PlayReport report;
@@ -116,7 +121,7 @@ ImagePlayReport playImages(const std::filesystem::path& session, ImageServer& se
     clock.waitUntil(played->due);
     const auto& [first, second] =
         played->swapped ? std::tie(shown.right, shown.left) : std::tie(shown.left, shown.right);
-    server.publish(first, second);
+    server.publish(first, second, clock.stampOf(frame->t));
     ++report.sent;
   }
   return report;

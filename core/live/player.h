@@ -22,6 +22,8 @@ struct PlayClock {
   double started = std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
 
   void waitUntil(double since_begin) const;
+  /// Time of this computer at which the time `t` of the recording [s] is played, since 1970 [ns].
+  std::int64_t stampOf(double t) const;
 };
 
 struct PlayOptions {
@@ -50,7 +52,8 @@ struct ImagePlayReport {
   std::uint64_t sent = 0, withheld = 0;  ///< pairs of images
 };
 
-/// Serves the images of a session at the times at which they arrived there. Throws base::InputError for a
+/// Serves the images of a session at the times at which they arrived there, with their times of exposure on
+/// this computer's clock as stamps. Throws base::InputError for a
 /// session that cannot be read.
 ImagePlayReport playImages(const std::filesystem::path& session, ImageServer& server, const PlayClock& clock,
                            const PlayOptions& options, const base::Progress* progress);

@@ -148,7 +148,7 @@ TEST_F(CliLive, ARobotWithCamerasIsTracked) {
     std::ofstream(path("live.yaml")) << "title: two cameras\nmotors:\n  from: tcp://127.0.0.1:" << port
                                      << "\ncameras:\n  " << streams
                                      << "\n  calibration: " << test::resourceFile("cameras").string()
-                                     << "\n  registration: registration.yaml\n  latency: 0.03\n";
+                                     << "\n  registration: registration.yaml\n  latency: 0\n";
     fs::remove(path("track.json"));
     const Ran both =
         runShell("(" + program + " track --live " + path("live.yaml") + " --duration 4.8 --json " +
@@ -200,7 +200,7 @@ TEST_F(CliLive, ExchangedCamerasAreNamed) {
   write("live.yaml", "title: two cameras\nmotors:\n  from: tcp://127.0.0.1:" + port +
                          "\ncameras:\n  left: " + video + "/left\n  right: " + video +
                          "/right\n  calibration: " + test::resourceFile("cameras").string() +
-                         "\n  registration: registration.yaml\n  latency: 0.03\n");
+                         "\n  registration: registration.yaml\n  latency: 0\n");
   const Ran both = runShell("(" + program + " track --live " + path("live.yaml") + " --duration 6.8 --json " +
                             path("track.json") + ") & until " + program + " play " + path("trial.capstan") +
                             " --to tcp://127.0.0.1:" + port + " --video " + video +

@@ -165,7 +165,7 @@ TEST_F(MonitorProgram, ShowsASessionOfTheCommandLine) {
   write("live.yaml", "title: robot of a process\nmotors:\n  from: tcp://127.0.0.1:" + port +
                          "\ncameras:\n  left: " + video + "/left\n  right: " + video +
                          "/right\n  calibration: " + test::resourceFile("cameras").string() +
-                         "\n  registration: registration.yaml\n  latency: 0.03\n");
+                         "\n  registration: registration.yaml\n  latency: 0\n");
   for (const std::string command : {"track", "record --out live.capstan"}) {
     fs::remove(path("done"));
     const Ran ran = onDisplay(

@@ -197,6 +197,10 @@ def rms(values):
     return np.sqrt(np.nanmean(np.square(values), axis=0)) * 1e3
 
 
+def median(values):
+    return np.nanmedian(np.abs(values), axis=0) * 1e3
+
+
 def say_rms(what, values):
     print(f"  {what:34s} {values[0]:8.3f} mrad {values[1]:8.3f} mrad {values[2]:8.4f} mm")
 
@@ -216,7 +220,9 @@ def compare(lab, session, sent):
     say_rms("RMS error of the UKF, live", rms((table.joints("q_ukf", motors) - table.joints("q", motors))[whole]))
     say_rms("RMS error of the UKF, recording", rms((direct.joints("q_ukf", others) - direct.joints("q", others))[whole]))
     if motors.sum() == others.sum():
-        say_rms("RMS of live − recording", rms((table.joints("q_ukf", motors) - direct.joints("q_ukf", others))[whole]))
+        difference = (table.joints("q_ukf", motors) - direct.joints("q_ukf", others))[whole]
+        say_rms("RMS of live − recording", rms(difference))
+        say_rms("median |live − recording|", median(difference))
     due = sent["started"] + table["t"][motors] - table["t"][motors][0]
     late = 1e3 * (session.read_at[motors] - due)
     print(f"  due (its stamp) to estimate        median {np.median(late):.2f} ms, 99 % {np.quantile(late, 0.99):.2f} ms")
@@ -224,7 +230,7 @@ def compare(lab, session, sent):
 
 def network_setup(lab, port, images):
     at = f"http://127.0.0.1:{images}"
-    return lab.setup(f"tcp://127.0.0.1:{port}", f"{at}/left", f"{at}/right")
+    return lab.setup(f"tcp://127.0.0.1:{port}", f"{at}/left", f"{at}/right", latency=0)  # stamps are exposures
 
 
 def rows_only(lab):
@@ -291,7 +297,9 @@ def say_recorded(lab, session, spent):
         motors, others = again["camera"] == 0, direct["camera"] == 0
         if motors.sum() == others.sum():
             whole = slice(round(0.1 * motors.sum()), None)
-            say_rms("RMS of its recording − recording", rms((again.joints("q_ukf", motors) - direct.joints("q_ukf", others))[whole]))
+            difference = (again.joints("q_ukf", motors) - direct.joints("q_ukf", others))[whole]
+            say_rms("RMS of its recording − recording", rms(difference))
+            say_rms("median |its recording − recording|", median(difference))
 
 
 def in_the_window(lab):

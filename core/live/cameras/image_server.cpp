@@ -27,7 +27,8 @@ constexpr int kWriteTimeout = 1;  // a client that takes nothing for so long is 
 /// Images of one time. What a client asks for is encoded once, on the thread of the first one.
 class Images {
  public:
-  Images(const cv::Mat& left, const cv::Mat& right) : images_{left.clone(), right.clone(), cv::Mat()} {}
+  Images(const cv::Mat& left, const cv::Mat& right, std::int64_t stamp)
+      : images_{left.clone(), right.clone(), cv::Mat()}, stamp_(stamp) {}
 
   const std::vector<unsigned char>& jpeg(Eye eye) {
     std::call_once(once_[eye], [&] {
@@ -38,9 +39,16 @@ class Images {
     });
     return jpegs_[eye];
   }
+  /// Header line of the time of exposure.
+  std::string timestamp() const {
+    constexpr std::int64_t kMicrosecond = 1000, kSecond = 1000000;  // [ns], [µs]
+    const std::int64_t time = stamp_ / kMicrosecond;
+    return stamp_ == 0 ? "" : fmt::format("X-Timestamp: {}.{:06}\r\n", time / kSecond, time % kSecond);
+  }
 
  private:
   std::array<cv::Mat, 3> images_;
+  const std::int64_t stamp_;
   std::array<std::once_flag, 3> once_;
   std::array<std::vector<unsigned char>, 3> jpegs_;
 };
@@ -84,8 +92,8 @@ class ImageServer::Impl {
     thread_.join();
   }
 
-  void publish(const cv::Mat& left, const cv::Mat& right) {
-    auto images = std::make_shared<Images>(left, right);
+  void publish(const cv::Mat& left, const cv::Mat& right, std::int64_t stamp) {
+    auto images = std::make_shared<Images>(left, right, stamp);
     {
       const std::lock_guard lock(mutex_);
       images_ = std::move(images);
@@ -109,7 +117,8 @@ class ImageServer::Impl {
     const std::vector<unsigned char>& jpeg = images->jpeg(eye);
     if (jpeg.empty()) return true;
     const std::string head =
-        fmt::format("--image\r\nContent-Type: image/jpeg\r\nContent-Length: {}\r\n\r\n", jpeg.size());
+        fmt::format("--image\r\nContent-Type: image/jpeg\r\nContent-Length: {}\r\n{}\r\n", jpeg.size(),
+                    images->timestamp());
     return sink.write(head.data(), head.size()) &&
            sink.write(reinterpret_cast<const char*>(jpeg.data()), jpeg.size()) && sink.write("\r\n", 2);
   }
@@ -128,7 +137,9 @@ class ImageServer::Impl {
 ImageServer::ImageServer(const std::string& host, std::uint16_t port)
     : impl_(std::make_unique<Impl>(host, port)) {}
 ImageServer::~ImageServer() = default;
-void ImageServer::publish(const cv::Mat& left, const cv::Mat& right) { impl_->publish(left, right); }
+void ImageServer::publish(const cv::Mat& left, const cv::Mat& right, std::int64_t stamp) {
+  impl_->publish(left, right, stamp);
+}
 std::uint16_t ImageServer::port() const { return static_cast<std::uint16_t>(impl_->port()); }
 
 }  // namespace capstan::live

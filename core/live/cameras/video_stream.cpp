@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/live/cameras/http_images.h"
 
 namespace capstan::live {
 namespace {
@@ -50,6 +51,8 @@ class VideoStream::Impl {
  public:
   Impl(const std::string& from, const VideoSettings& settings)
       : file_(std::filesystem::is_regular_file(from)) {
+    if (isHttpAddress(from)) http_ = HttpImages::open(from, kOpening);
+    if (http_) return;
     const bool network = isNetworkStream(from);
     const int open = static_cast<int>(kOpening.count()), wait = static_cast<int>(kPatience.count());
     device_ = !network && !file_;
@@ -75,6 +78,7 @@ class VideoStream::Impl {
   }
 
   bool read(cv::Mat& image) {
+    if (http_) return readHttp(image);
     cv::Mat raw;
     if (!capture_.grab()) return false;
     arrival_ = Clock::now();
@@ -88,11 +92,34 @@ class VideoStream::Impl {
     if (file_) place(1e-3 * capture_.get(cv::CAP_PROP_POS_MSEC));
     return true;
   }
+  std::int64_t skip(double seconds) {
+    const auto images = static_cast<std::int64_t>(seconds / period_);
+    if (!file_ || images <= 0 || !capture_.set(cv::CAP_PROP_POS_FRAMES, static_cast<double>(count_ + images)))
+      return 0;
+    count_ += images;
+    if (!stamped_) position_ += static_cast<double>(images) * period_;
+    return images;
+  }
   bool isFile() const { return file_; }
   double position() const { return position_; }
   Clock::time_point arrival() const { return arrival_; }
+  std::int64_t stamp() const { return stamp_; }
+  std::uint64_t lost() const { return lost_; }
 
  private:
+  /// Damaged images are passed over.
+  bool readHttp(cv::Mat& image) {
+    const Clock::time_point begin = Clock::now();
+    lost_ = 0;
+    for (JpegPart part; http_->next(part, kPatience); ++lost_) {
+      lost_ += http_->lost();
+      stamp_ = part.stamp, arrival_ = part.arrival;
+      image = cv::imdecode(part.bytes, cv::IMREAD_COLOR);
+      if (!image.empty()) return true;
+      if (Clock::now() - begin > kPatience) break;
+    }
+    return false;
+  }
   /// Sets the time of an image of a file with this time stamp [s]. Time stamps that do not rise are none.
   void place(double stamp) {
     if (count_++ == 0) {
@@ -106,10 +133,13 @@ class VideoStream::Impl {
   const bool file_;
   bool device_ = false;
   bool jpeg_ = false;  ///< capture_ gives JPEG files: the time of arrival is known before they are decoded
+  std::unique_ptr<HttpImages> http_;  ///< null: capture_ is read
+  std::int64_t stamp_ = 0;
+  std::uint64_t lost_ = 0;
   Clock::time_point arrival_;
   cv::VideoCapture capture_;
   bool stamped_ = true;         ///< the time stamps of a file count
-  double period_ = 1.0 / 30.0;  ///< of a file's images without time stamps [s]
+  double period_ = 1.0 / 30.0;  ///< of a file's images; those without time stamps come so [s]
   double position_ = 0.0, first_stamp_ = 0.0;
   std::int64_t count_ = 0;
 };
@@ -118,9 +148,12 @@ VideoStream::VideoStream(const std::string& from, const VideoSettings& settings)
     : impl_(std::make_unique<Impl>(from, settings)) {}
 VideoStream::~VideoStream() = default;
 bool VideoStream::read(cv::Mat& image) { return impl_->read(image); }
+std::int64_t VideoStream::skip(double seconds) { return impl_->skip(seconds); }
 bool VideoStream::isFile() const { return impl_->isFile(); }
 double VideoStream::position() const { return impl_->position(); }
 Clock::time_point VideoStream::arrival() const { return impl_->arrival(); }
+std::int64_t VideoStream::stamp() const { return impl_->stamp(); }
+std::uint64_t VideoStream::lost() const { return impl_->lost(); }
 
 Clock::time_point driverTime(double driver_ms, Clock::time_point read) {
   const double read_ms = std::chrono::duration<double, std::milli>(read.time_since_epoch()).count();

@@ -33,7 +33,7 @@ void ClockMap::restart(const Pair& pair) {
 
 /// Back, or ahead of the arrivals and below the line. A line that has just begun may be too high, and pairs
 /// that were lost in a backlog look like a jump ahead.
-bool ClockMap::hasJumped(const Stream& stream, double stamp, double arrival) const {
+bool ClockMap::jumps(const Stream& stream, double stamp, double arrival) const {
   if (!stream.started) return false;
   const double passed = stamp - stream.stamp;
   if (passed < 0.0) return true;
@@ -45,7 +45,7 @@ bool ClockMap::add(double stamp, double arrival, std::size_t stream) {
   const Pair pair{stamp, arrival - stamp};
   Stream& own = streams_.at(stream);
   if (!started_) restart(pair);
-  own.jumped |= hasJumped(own, stamp, arrival);
+  own.jumped |= jumps(own, stamp, arrival);
   own.started = true, own.stamp = stamp, own.arrival = arrival;
   const double above = pair.delay - line(stamp);
   if (own.jumped && std::abs(above) > kStep) {

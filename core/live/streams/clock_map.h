@@ -25,6 +25,9 @@ class ClockMap {
   /// has stepped: the stamps of the stream have jumped, and all its pairs of the kStepTime since then differ
   /// from the line by more than kStep; the estimate then restarts with these pairs.
   bool add(double stamp, double arrival, std::size_t stream = 0);
+  /// Whether the stamps of the stream have jumped, and none since then has been near the line: the newest one
+  /// is wrong, or the first ones of a step.
+  bool jumped(std::size_t stream = 0) const { return streams_.at(stream).jumped; }
   /// Begins again with the next pair: the clock is known to have changed. The number of steps stays.
   void forget();
   /// The stamp on the session's clock [s], and the inverse.
@@ -68,7 +71,7 @@ class ClockMap {
     bool lasts(const Pair& pair, double time);
   };
   void restart(const Pair& pair);
-  bool hasJumped(const Stream& stream, double stamp, double arrival) const;
+  bool jumps(const Stream& stream, double stamp, double arrival) const;
   void take(const Pair& pair, double above);
   void fit();
   double errorOfEnd() const;  ///< RMS error of the line at either of the pairs on which it lies [s]

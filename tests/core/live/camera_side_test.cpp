@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cmath>
 #include <filesystem>
@@ -15,10 +14,9 @@
 #include <optional>
 #include <random>
 #include <thread>
-#include <utility>
+#include <vector>
 
 #include "core/base/error.h"
-#include "core/live/cameras/frame_pairer.h"
 #include "core/live/cameras/image_server.h"
 #include "core/live/cameras/video_stream.h"
 #include "core/tracking/side_text.h"
@@ -27,117 +25,6 @@ namespace capstan::live {
 namespace {
 
 using namespace std::chrono_literals;
-
-TEST(FramePairer, PairsByTimeAndCountsTheRest) {
-  FramePairer pairer(0.01);
-  const auto image = [](int value) { return cv::Mat(4, 4, CV_8UC3, cv::Scalar::all(value)); };
-  EXPECT_FALSE(pairer.add(0, 0.000, image(1)));
-  const auto first = pairer.add(1, 0.004, image(2));
-  ASSERT_TRUE(first);
-  EXPECT_NEAR(first->t, 0.002, 1e-12);
-  EXPECT_EQ(first->left.at<cv::Vec3b>(0, 0)[0], 1);
-  EXPECT_EQ(first->right.at<cv::Vec3b>(0, 0)[0], 2);
-  EXPECT_FALSE(pairer.add(0, 0.033, image(3)));
-  EXPECT_FALSE(pairer.add(0, 0.066, image(3))) << "the right image of 0.033 was lost";
-  EXPECT_TRUE(pairer.add(1, 0.067, image(4)));
-  EXPECT_FALSE(pairer.add(1, 0.100, image(5)));
-  EXPECT_FALSE(pairer.add(0, 0.133, image(6))) << "the left image of 0.100 was lost";
-  EXPECT_TRUE(pairer.add(1, 0.134, image(7)));
-  EXPECT_EQ(pairer.unpaired(), 2U);
-  EXPECT_EQ(pairer.frozen(), 1U) << "twice the same left image";
-}
-
-cv::Mat imageOf(int value) { return {2, 2, CV_16UC1, cv::Scalar::all(value)}; }
-int valueOf(const cv::Mat& image) { return image.at<std::uint16_t>(0, 0); }
-double timeOf(int k) { return k / 30.0; }
-
-/// A busy computer gives one camera's reader the processor for some images, then the other's.
-TEST(FramePairer, PairsBurstsOfOneSideWithThoseOfTheOther) {
-  FramePairer pairer(0.012);
-  std::mt19937 random(3);
-  std::uniform_int_distribution<int> burst(1, 8);
-  std::uniform_real_distribution<double> between(0.0, 0.011);
-  std::array<int, 2> next = {0, 0};
-  int pairs = 0;
-  constexpr int kImages = 1200;
-  for (int side = 0; next[0] < kImages || next[1] < kImages; side = 1 - side) {
-    const auto s = static_cast<std::size_t>(side);
-    const int end = std::min({next[s] + burst(random), kImages, next[1 - s] + 12});
-    for (; next[s] < end; ++next[s]) {
-      const auto pair =
-          pairer.add(side, timeOf(next[s]) + (side == 1 ? between(random) : 0.0), imageOf(next[s]));
-      if (!pair) continue;
-      EXPECT_EQ(valueOf(pair->left), valueOf(pair->right));
-      EXPECT_EQ(valueOf(pair->left), pairs) << "in order, none missing";
-      ++pairs;
-    }
-  }
-  EXPECT_EQ(pairs, kImages);
-  EXPECT_EQ(pairer.unpaired(), 0U);
-  EXPECT_EQ(pairer.dropped(), 0U);
-}
-
-/// A reader that is behind drops the oldest images of its side: their pairs are dropped, and no image of the
-/// other side is called unpaired.
-TEST(FramePairer, ImagesThatAReaderDropsAreDroppedPairs) {
-  std::mt19937 random(5);
-  std::bernoulli_distribution drops(0.2);
-  FramePairer pairer(0.012);
-  std::array<std::uint64_t, 2> lost = {0, 0};
-  std::uint64_t pairs = 0, dropped = 0;
-  constexpr int kImages = 2000;
-  for (int k = 0; k < kImages; ++k) {
-    const bool may_drop = k < kImages - 1;
-    const std::array<bool, 2> gone = {may_drop && drops(random), may_drop && drops(random)};
-    dropped += gone[0] || gone[1];
-    const std::size_t first = random() % 2;
-    for (const std::size_t side : {first, 1 - first}) {
-      if (gone[side]) {
-        ++lost[side];
-        continue;
-      }
-      const auto pair =
-          pairer.add(static_cast<int>(side), timeOf(k), imageOf(k), std::exchange(lost[side], 0));
-      if (!pair) continue;
-      ++pairs;
-      EXPECT_EQ(valueOf(pair->left), valueOf(pair->right));
-    }
-  }
-  EXPECT_EQ(pairer.unpaired(), 0U);
-  EXPECT_EQ(pairer.dropped(), dropped);
-  EXPECT_EQ(pairs, kImages - dropped);
-}
-
-TEST(FramePairer, WhatACameraDoesNotGiveIsUnpairedBesideWhatAReaderDrops) {
-  FramePairer pairer(0.012);
-  for (int k = 0; k < 10; ++k) {
-    pairer.add(0, timeOf(k), imageOf(k));
-    if (k == 3 || k == 4 || k == 7) continue;  // 3 and 4: dropped by the reader; 7: never given
-    EXPECT_TRUE(pairer.add(1, timeOf(k), imageOf(k), k == 5 ? 2 : 0)) << k;
-  }
-  EXPECT_EQ(pairer.dropped(), 2U);
-  EXPECT_EQ(pairer.unpaired(), 1U);
-}
-
-TEST(FramePairer, HoldsABoundedNumberOfImagesOfASingleCamera) {
-  FramePairer pairer(0.012);
-  for (int k = 0; k < 100; ++k) EXPECT_FALSE(pairer.add(0, timeOf(k), imageOf(k)));
-  EXPECT_EQ(pairer.unpaired(), 100 - FramePairer::kMost);
-  EXPECT_TRUE(pairer.add(1, timeOf(99), imageOf(99)));
-  EXPECT_EQ(pairer.unpaired(), 99U);
-}
-
-TEST(FramePairer, GoesOnWhereTheClockStepsBack) {
-  FramePairer pairer(0.012);
-  for (int k = 0; k < 3; ++k) EXPECT_FALSE(pairer.add(0, 10.0 + timeOf(k), imageOf(k)));
-  int pairs = 0;
-  for (int k = 3; k < 10; ++k) {
-    pairs += pairer.add(1, 9.0 + timeOf(k), imageOf(k)).has_value();
-    pairs += pairer.add(0, 9.0 + timeOf(k), imageOf(k)).has_value();
-  }
-  EXPECT_EQ(pairs, 6) << "the first right image after the step meets old ones";
-  EXPECT_EQ(pairer.unpaired(), 5U);
-}
 
 TEST(VideoStream, TakesTheDriversTimeOfTheMonotonicClockOnly) {
   const auto read = std::chrono::steady_clock::time_point(std::chrono::hours(5));
@@ -206,12 +93,57 @@ TEST_F(CameraSideOfAVideo, GivesPairsAtTheVideosRate) {
   EXPECT_EQ(cameras.status().dropped, 0U);
 }
 
+/// The computer stalls at 0.2 s for 0.5 s.
+TEST_F(CameraSideOfAVideo, ImagesThatAreLateArePassedOver) {
+  SampleQueue queue(1000, kFrames);
+  const auto start = CameraSide::Clock::now();
+  const auto since = [&](CameraSide::Clock::time_point at) -> std::optional<double> {
+    const double seconds = std::chrono::duration<double>(at - start).count();
+    return seconds + (seconds > 0.2 ? 0.5 : 0.0);
+  };
+  CameraSide cameras(setup(), {since, {}, {}, {}}, queue);
+  int images = 0;
+  double last = 0.0;
+  while (queue.ready(500ms)) {
+    tracking::Sample sample;
+    queue.take(sample);
+    const auto& frame = std::get<tracking::StereoFrame>(sample);
+    const long k = std::lround(30.0 * (frame.t + 0.02));
+    EXPECT_NEAR(columnOf(frame.left), 10 + static_cast<double>(k), 0.5) << "the image of its time";
+    EXPECT_LT(frame.t_arrival - frame.t, 0.02 + 0.3 + 0.1) << k << ", a tenth for a busy machine";
+    last = frame.t;
+    ++images;
+  }
+  EXPECT_NEAR(last, (kFrames - 1) / 30.0 - 0.02, 1e-3) << "to the end";
+  EXPECT_GT(cameras.status().dropped, 5U) << "of 15 in the stall";
+  EXPECT_EQ(images + static_cast<int>(cameras.status().dropped), kFrames);
+}
+
+TEST_F(CameraSideOfAVideo, ASkipLeadsToTheImageOfItsTime) {
+  for (const double rate : {0.0, 15.0}) {
+    VideoSettings settings;
+    settings.rate = rate;
+    VideoStream video(path_.string(), settings);
+    const double period = 1.0 / (rate > 0.0 ? rate : 30.0);
+    cv::Mat image;
+    for (int k = 0; k < 3; ++k) ASSERT_TRUE(video.read(image));
+    EXPECT_EQ(video.skip(10.5 * period), 10);
+    ASSERT_TRUE(video.read(image));
+    EXPECT_NEAR(video.position(), 13 * period, 1e-3);
+    EXPECT_NEAR(columnOf(image.colRange(0, 64)), 10 + 13, 0.5);
+    EXPECT_EQ(video.skip(-1.0), 0);
+  }
+}
+
 TEST_F(CameraSideOfAVideo, BeginsWithTheSession) {
   SampleQueue queue(1000, kFrames);
   std::atomic<bool> begun = false;
   CameraSide cameras(
       setup(),
-      {[&](CameraSide::Clock::time_point) { return begun ? std::optional(1.0) : std::nullopt; }, {}, {}, {}},
+      {[&](CameraSide::Clock::time_point) { return begun ? std::optional(1.0) : std::nullopt; },
+       {},
+       [] { return 1.0; },
+       {}},
       queue);
   EXPECT_FALSE(queue.ready(300ms));
   EXPECT_EQ(cameras.status().received, 0U);
@@ -286,10 +218,9 @@ class NetworkCameras : public ::testing::Test {
     CamerasSetup setup;
     const std::string at = "http://127.0.0.1:" + std::to_string(server_.port());
     setup.left = at + "/left", setup.right = at + "/right";
-    const auto start = CameraSide::Clock::now();
     cameras_.emplace(
         setup,
-        CameraSide::SessionClock{[start](CameraSide::Clock::time_point t) -> std::optional<double> {
+        CameraSide::SessionClock{[start = start_](CameraSide::Clock::time_point t) -> std::optional<double> {
                                    return std::chrono::duration<double>(t - start).count();
                                  },
                                  {},
@@ -316,8 +247,34 @@ class NetworkCameras : public ::testing::Test {
   using State = tracking::SideStatus::State;
   ImageServer server_{"127.0.0.1", 0};
   SampleQueue queue_{1000};
+  const CameraSide::Clock::time_point start_ = CameraSide::Clock::now();
   std::optional<CameraSide> cameras_;
 };
+
+/// Images that come late, each by another time, with the stamps of this computer's clock.
+TEST_F(NetworkCameras, StampsAreTheTimes) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> late(0.01, 0.09);
+  std::vector<double> exposures;
+  for (int k = 0, frames = 0; frames < 20; ++k) {
+    ASSERT_LT(k, 300);
+    exposures.push_back(std::chrono::duration<double>(CameraSide::Clock::now() - start_).count());
+    const std::chrono::nanoseconds since = std::chrono::system_clock::now().time_since_epoch();
+    std::this_thread::sleep_for(std::chrono::duration<double>(late(random)));
+    server_.publish(newImage(), newImage(), since.count());
+    if (!queue_.ready(100ms)) continue;
+    tracking::Sample sample;
+    queue_.take(sample);
+    const auto& frame = std::get<tracking::StereoFrame>(sample);
+    const auto nearest =
+        std::ranges::min_element(exposures, {}, [&](double t) { return std::abs(t - frame.t); });
+    EXPECT_NEAR(frame.t, *nearest, 1e-3) << "the arrivals are 10 to 90 ms later";
+    EXPECT_GT(frame.t_arrival - frame.t, 0.009);
+    EXPECT_EQ(frame.skew, 0.0);
+    ++frames;
+  }
+  EXPECT_EQ(cameras_->status().unpaired, 0U);
+}
 
 TEST_F(NetworkCameras, TheCameraThatIsSilentIsNamed) {
   ASSERT_TRUE(reaches(State::kReceiving, [&] { server_.publish(newImage(), newImage()); }));

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "core/live/cameras/multipart_parser.h"
+
+namespace capstan::live {
+
+/// Images of a Motion JPEG stream over HTTP ("http://…", multipart/x-mixed-replace). They are received on a
+/// thread of their own, so that the time of arrival is not that at which somebody asks for them.
+class HttpImages {
+ public:
+  /// Connects, and waits up to `patience` for the first image. Null: what answers is no Motion JPEG. Throws
+  /// base::InputError with the reason where nothing answers, or the answer is an error.
+  static std::unique_ptr<HttpImages> open(const std::string& address, std::chrono::milliseconds patience);
+  ~HttpImages();
+
+  /// Waits for the next image. False: the stream has ended or gives none for `patience`. Throws
+  /// base::InputError where what comes is no Motion JPEG any more.
+  bool next(JpegPart& part, std::chrono::milliseconds patience);
+  /// Number of images dropped before the last one, since nobody asked for them in time.
+  std::uint64_t lost() const { return lost_; }
+
+  static constexpr std::size_t kWaiting = 16;  ///< images that may wait; the oldest are dropped
+
+ private:
+  class Reader;
+  explicit HttpImages(std::unique_ptr<Reader> reader);
+  std::unique_ptr<Reader> reader_;
+  std::uint64_t lost_ = 0;
+};
+
+/// Whether `address` is one that HttpImages can ask: "http://…".
+bool isHttpAddress(const std::string& address);
+
+}  // namespace capstan::live

@@ -1,0 +1,31 @@
+#pragma once
+
+namespace capstan::live {
+
+/// Decides whether the stamps of images and those of motor samples are by one clock. Both are mapped to this
+/// computer's clock by their arrivals. `lateness` is the time of a pair of images by the arrivals minus that
+/// by the stamps. With one clock it is the smallest delay of the images less that of the motor samples.
+///
+/// Arrivals of a computer that stalls are late by seconds, on one side or on both. Clocks that have agreed
+/// for kPairs therefore agree until one of them steps, or until the lateness, followed by kDrift at most as
+/// two quartz clocks would drift apart, is farther out than kMargin.
+class ClockAgreement {
+ public:
+  /// Adds the lateness [s] of the pair of images at time `t` [s]; `steps`: number of steps of both clocks so
+  /// far. Returns whether the clocks agree.
+  bool add(double lateness, int steps, double t);
+  /// Forgets all pairs: one of the sides has no stamps now.
+  void forget() { pairs_ = 0; }
+
+  static constexpr double kEarliest = -0.02, kLatest = 0.25;  ///< lateness with one clock [s]
+  static constexpr int kPairs = 20;                           ///< 1 s of 20 pairs/s
+  static constexpr double kDrift = 1e-4;                      ///< each clock within 50 ppm [s/s]
+  static constexpr double kMargin = 0.1;                      ///< [s]
+
+ private:
+  int pairs_ = 0;                             ///< that have agreed, one after the other; up to kPairs
+  int steps_ = 0;                             ///< of the last pair
+  double followed_ = 0.0, followed_t_ = 0.0;  ///< lateness at the drift of clocks, and its time [s]
+};
+
+}  // namespace capstan::live
