@@ -59,25 +59,18 @@ TEST_F(DiagnosisRuns, TheReportOfARecordingIsThatOfTheCommandLine) {
   EXPECT_EQ(withoutTimes(report).dump(), withoutTimes(commandLine(file)).dump());
 }
 
-TEST_F(DiagnosisRuns, TheToleranceOfTheWindowIsThatOfTheOption) {
-  testing::writeRecording(path("slow.csv"), {.duration = 5.0});
-  const QString file = folder_.filePath("slow.csv"), tolerance = "3deg,40mm";
-  const nlohmann::json report = window(file, {.material = tolerance});
-  EXPECT_EQ(report.at("material").at("length").get<double>(), 0.04);
-  EXPECT_EQ(withoutTimes(report).dump(), withoutTimes(commandLine(file, {"--material", tolerance})).dump());
-}
-
-TEST_F(DiagnosisRuns, TheUnitsAndTheEffortOfTheWindowAreThoseOfTheOptions) {
+TEST_F(DiagnosisRuns, ToleranceUnitsAndEffortOfTheWindowAreThoseOfTheOptions) {
   const diagnosis::Evidence evidence = testing::sampleEvidence({.duration = 5.0}, 0);
   recording::MeasuredTable table;
   table.t = evidence.t, table.q_m = evidence.q_m, table.tau_m = evidence.tau_m, table.q = evidence.q;
   for (auto& column : table.q_m)
     for (double& q_m : column) q_m *= 180.0 / M_PI;
   base::writeTextFile(path("degrees.csv"), recording::formatMeasuredTable(table));
-  const QString file = folder_.filePath("degrees.csv");
-  const nlohmann::json report = window(file, {.read_as = "q_m=deg", .effort = 0.25});
-  EXPECT_EQ(withoutTimes(report).dump(),
-            withoutTimes(commandLine(file, {"--read-as", "q_m=deg", "--effort", "0.25"})).dump());
+  const QString file = folder_.filePath("degrees.csv"), tolerance = "3deg,40mm";
+  const nlohmann::json report = window(file, {.read_as = "q_m=deg", .material = tolerance, .effort = 0.25});
+  EXPECT_EQ(report.at("material").at("length").get<double>(), 0.04);
+  const QStringList options{"--material", tolerance, "--read-as", "q_m=deg", "--effort", "0.25"};
+  EXPECT_EQ(withoutTimes(report).dump(), withoutTimes(commandLine(file, options)).dump());
 }
 
 TEST_F(DiagnosisRuns, OfATableOfTipPosesToo) {
