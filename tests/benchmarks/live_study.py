@@ -165,6 +165,25 @@ class Session:
                      or "frozen" in line or "stepped" in line or "refused" in line or "waiting at" in line]
 
 
+class RecordedSession:
+    """`record --live` in a process of its own."""
+
+    def __init__(self, lab, setup):
+        self.report, self.out = lab.folder / "record.json", lab.folder / "live.capstan"
+        self.out.unlink(missing_ok=True)
+        self.process = subprocess.Popen([lab.cli, "record", "--live", setup, "--out", self.out, "--json", self.report],
+                                        stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+        notices = Lines(self.process.stderr)
+        while not any("waiting for rows" in line for _, line in notices.lines) and self.process.poll() is None:
+            time.sleep(0.01)
+
+    def end(self):
+        """Returns what the process used."""
+        time.sleep(0.5)
+        self.process.send_signal(signal.SIGINT)
+        return os.wait4(self.process.pid, 0)[2]
+
+
 class WindowSession(Session):
     """The window in a display of its own. It records; an estimate's time is that at which the filter gave it."""
 
@@ -310,20 +329,13 @@ def in_the_window(lab):
 def in_hd(lab):
     """rows over TCP, two network cameras of 1280 × 720, recorded"""
     port, images = free_port(), free_port()
-    report, out = lab.folder / "record.json", lab.folder / "live.capstan"
-    recording = subprocess.Popen([lab.cli, "record", "--live", network_setup(lab, port, images), "--out", out, "--json", report],
-                                 stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
-    notices = Lines(recording.stderr)
-    while not any("waiting for rows" in line for _, line in notices.lines) and recording.poll() is None:
-        time.sleep(0.01)
+    session = RecordedSession(lab, network_setup(lab, port, images))
     started = time.time()
     playing = play(lab, "--to", f"tcp://127.0.0.1:{port}", "--video", f"http://127.0.0.1:{images}")
     player = os.wait4(playing.pid, 0)[2]
     spent = time.time() - started
-    time.sleep(0.5)
-    recording.send_signal(signal.SIGINT)
-    used = os.wait4(recording.pid, 0)[2]
-    result, sent = json.loads(report.read_text()), played(lab)
+    used = session.end()
+    result, sent = json.loads(session.report.read_text()), played(lab)
     for side in result["live"]:
         print(f"  {side['side']:8s} received {side['received']}, missing {side['missing']}, dropped {side['dropped']}, "
               f"unpaired {side['unpaired']}, frozen {side['frozen']}; arrival to estimate median "
@@ -342,11 +354,11 @@ def relay(source, port):
                             stdin=subprocess.DEVNULL)
 
 
-def over_ffmpeg(lab):
-    """rows over TCP, two streams of ffmpeg"""
+def relayed(lab, latency, begin):
+    """A session of `begin` while two ffmpeg processes relay the images."""
     port, images, left, right = (free_port() for _ in range(4))
-    setup = lab.setup(f"tcp://127.0.0.1:{port}", f"http://127.0.0.1:{left}/", f"http://127.0.0.1:{right}/")
-    session = Session(lab, setup)
+    setup = lab.setup(f"tcp://127.0.0.1:{port}", f"http://127.0.0.1:{left}/", f"http://127.0.0.1:{right}/", latency=latency)
+    session = begin(lab, setup)
     playing = play(lab, "--to", f"tcp://127.0.0.1:{port}", "--video", f"http://127.0.0.1:{images}")
     time.sleep(0.5)
     relays = [relay(f"http://127.0.0.1:{images}/{eye}", at) for eye, at in (("left", left), ("right", right))]
@@ -354,7 +366,17 @@ def over_ffmpeg(lab):
     session.end()
     for process in relays:
         process.terminate(), process.wait()
-    compare(lab, session, played(lab))
+    return session
+
+
+def over_ffmpeg(lab):
+    """rows over TCP, two streams of ffmpeg, whose latency is found in a recording first"""
+    recording = relayed(lab, 0.0, RecordedSession)
+    found = subprocess.run([lab.cli, "identify", recording.out, "--parameters", "r_l1", "--method", "dual-ukf", "--json", "-"],
+                           check=True, capture_output=True, text=True).stdout
+    latency = json.loads(found)["dual_ukf"]["camera"]["delay"]
+    print(f"  latency of the relays by identify, from a recording: {1e3 * latency:.0f} ms")
+    compare(lab, relayed(lab, latency, Session), played(lab))
 
 
 def from_file(lab):

@@ -58,10 +58,10 @@ Vector6d doubtOf(const TrainingStates& training, std::size_t motion) {
 }
 
 TEST(Weigh, WhatIsOutOfPlaceInTheSameWayEachTimeCounts) {
-  const std::vector<State> all = states({.stuck_beyond = 0.02}, 15);
+  const std::vector<State> all = states({.stuck_beyond = 0.02}, 22);
   const TrainingStates before = trainingStates(all, cleanStates(all)), after = weighed(all);
   const std::size_t taken = all.size() - before.states.size();
-  ASSERT_GT(taken, 100U);
+  ASSERT_GT(taken, 150U);
   EXPECT_GT(after.weighing.again.size(), taken / 2);
   EXPECT_EQ(after.states.size(), before.states.size() + after.weighing.again.size());
   EXPECT_EQ(after.cleaning.kept(), after.states.size());
@@ -72,7 +72,7 @@ TEST(Weigh, WhatIsWrongByChanceDoesNot) {
   const std::vector<State> all = states({.jumps = 0.15}, 30);
   const TrainingStates after = weighed(all);
   const std::size_t taken = all.size() - cleanStates(all).kept();
-  ASSERT_GT(taken, 100U);
+  ASSERT_GT(taken, 150U);
   EXPECT_LE(after.weighing.again.size(), taken / 20);
 }
 
