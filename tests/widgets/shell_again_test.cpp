@@ -49,7 +49,7 @@ SourceChoice wrongRadius(double duration = 30.0) {
   return SourceChoice::ofSimulation(request);
 }
 
-/// Runs `choice` to its end and accepts the radius that was identified meanwhile.
+/// Runs `choice` to its end and accepts the radius that the whole of it shows.
 void identifyAndAccept(MainWindow& window, const SourceChoice& choice) {
   window.bar().setSpeed(10.0);
   window.identification().choice().setNames("r_l1");
@@ -57,7 +57,11 @@ void identifyAndAccept(MainWindow& window, const SourceChoice& choice) {
   ASSERT_TRUE(waitFor([&] { return window.link().running(); }));
   QTest::keyClick(&window, Qt::Key_I);
   ASSERT_TRUE(ended(window));
-  ASSERT_TRUE(QTest::qWaitFor([&] { return window.identification().live().acceptable(); }, 2 * kPatience))
+  const auto whole = [&] {
+    const auto& live = window.identification().live();
+    return live.acceptable() && live.shown().recorded > choice.simulation.duration - 1.0;
+  };
+  ASSERT_TRUE(QTest::qWaitFor(whole, 2 * kPatience))
       << window.identification().words().toStdString();
   window.identification().findChild<QPushButton*>("accept")->click();
   ASSERT_NEAR(radiusInUse(window), 0.059, 0.01 * 0.059);
