@@ -274,7 +274,12 @@ Vector3d TransmissionEstimator::corrected(const Vector3d& q_kin) const {
 
 Matrix3d TransmissionEstimator::jointCovariance(const Vector3d& q_kin) const {
   const auto g = jointSensitivity(travelOf(q_kin));
-  Matrix3d covariance = g * covariance_.topLeftCorner<kMotor, kMotor>() * g.transpose();
+  Eigen::Matrix<double, kMotor, kMotor> errors = covariance_.topLeftCorner<kMotor, kMotor>();
+  for (int i = 0; i < kMotor; ++i)
+    if (!regression_.included(i))
+      errors(i, i) += regression_.inclusionProbability()(i) *
+                      (widest_covariance_(i, i) + widest_mean_(i) * widest_mean_(i));
+  Matrix3d covariance = g * errors * g.transpose();
   covariance.diagonal() += options_.cable_error.cwiseAbs2();
   return share_.value() * covariance;
 }

@@ -88,7 +88,10 @@ class TransmissionEstimator {
                         const MotorCorrection& to) const;
   /// Error of the estimate q at q_kin from a wrong stiffness [rad, rad, m]; it must be added to q.
   Eigen::Vector3d stretchError(const Eigen::Vector3d& q_kin, const Eigen::Vector3d& q) const;
-  /// Covariance of the joints at q_kin that comes from the correction's uncertainty [rad², rad², m²].
+  /// Covariance of the joints at q_kin that comes from the correction's uncertainty [rad², rad², m²]. An
+  /// error that is not estimated counts with its probability p: p E[x²] of the model with every coefficient
+  /// (Bayesian model averaging, Hoeting et al., Statistical Science 14, 1999, without the correlations).
+  /// Before the first camera observation this is its prior.
   Eigen::Matrix3d jointCovariance(const Eigen::Vector3d& q_kin) const;
   /// Difference of q_cam and q that the correction in use does not cover: the effect of the estimated errors
   /// of registration, stamps and stiffness [rad, rad, m].
