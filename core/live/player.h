@@ -53,8 +53,7 @@ struct ImagePlayReport {
 };
 
 /// Serves the images of a session at the times at which they arrived there, with their times of exposure on
-/// this computer's clock as stamps. Throws base::InputError for a
-/// session that cannot be read.
+/// this computer's clock as stamps. Throws base::InputError for a session that cannot be read.
 ImagePlayReport playImages(const std::filesystem::path& session, ImageServer& server, const PlayClock& clock,
                            const PlayOptions& options, const base::Progress* progress);
 

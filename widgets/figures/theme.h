@@ -55,8 +55,8 @@ QFont numberFont(double points, bool bold = false);
 
 /// Style sheet of a notice: raised background with an edge in `edge` at its left.
 QString noticeStyle(const Theme& theme, const QColor& edge);
-/// Sets a widget's style sheet if it differs. Qt computes the styles of a widget and its children anew for an
-/// equal one, too, which costs more than all else that a panel shows of a sample.
+/// Sets a widget's style sheet if it differs. Qt computes the styles of a widget and its children again even
+/// for an equal style sheet.
 void restyle(QWidget& widget, const QString& style_sheet);
 
 /// Sets palette, style sheet and font of the whole program.

@@ -167,7 +167,7 @@ class HttpImages::Reader {
   std::condition_variable changed_;
   Kind kind_ = Kind::kUnknown;
   std::deque<JpegPart> parts_;
-  std::uint64_t lost_ = 0;  ///< since the last image that was asked for
+  std::uint64_t lost_ = 0;  ///< dropped since the last image that next() returned
   std::exception_ptr fault_;
   bool ended_ = false;
 

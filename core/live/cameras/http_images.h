@@ -10,7 +10,7 @@
 namespace capstan::live {
 
 /// Images of a Motion JPEG stream over HTTP ("http://…", multipart/x-mixed-replace). They are received on a
-/// thread of their own, so that the time of arrival is not that at which somebody asks for them.
+/// thread of their own, so that the time of arrival does not depend on when next() is called.
 class HttpImages {
  public:
   /// Connects, and waits up to `patience` for the first image. Null: what answers is no Motion JPEG. Throws
@@ -21,7 +21,7 @@ class HttpImages {
   /// Waits for the next image. False: the stream has ended or gives none for `patience`. Throws
   /// base::InputError where what comes is no Motion JPEG any more.
   bool next(JpegPart& part, std::chrono::milliseconds patience);
-  /// Number of images dropped before the last one, since nobody asked for them in time.
+  /// Number of images dropped between the last two that next() returned, because kWaiting were waiting.
   std::uint64_t lost() const { return lost_; }
 
   static constexpr std::size_t kWaiting = 16;  ///< images that may wait; the oldest are dropped
@@ -33,7 +33,7 @@ class HttpImages {
   std::uint64_t lost_ = 0;
 };
 
-/// Whether `address` is one that HttpImages can ask: "http://…".
+/// Whether `address` is one that HttpImages can open: "http://…".
 bool isHttpAddress(const std::string& address);
 
 }  // namespace capstan::live

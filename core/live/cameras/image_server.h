@@ -15,7 +15,7 @@ class ImageServer {
   ImageServer(const std::string& host, std::uint16_t port);
   ~ImageServer();
 
-  /// Replaces the images that are served, 8-bit BGR. An empty image is served to nobody. `stamp`: time of the
+  /// Replaces the images that are served, 8-bit BGR. An empty image is not sent. `stamp`: time of the
   /// exposure since 1970 [ns], sent with each image as X-Timestamp, in seconds; 0: none is sent.
   void publish(const cv::Mat& left, const cv::Mat& right, std::int64_t stamp = 0);
   std::uint16_t port() const;

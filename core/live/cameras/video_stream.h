@@ -43,8 +43,8 @@ class VideoStream {
   std::chrono::steady_clock::time_point arrival() const;
   /// Time of the last image by the clock of its camera, X-Timestamp of Motion JPEG over HTTP [ns]; 0: none.
   std::int64_t stamp() const;
-  /// Number of images of Motion JPEG over HTTP before the last one that nobody read in time, or that were
-  /// damaged.
+  /// Number of images of Motion JPEG over HTTP that were dropped between the last two read() returned, or
+  /// that were damaged.
   std::uint64_t lost() const;
 
   static constexpr std::chrono::milliseconds kPatience{1000};
