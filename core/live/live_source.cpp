@@ -46,7 +46,7 @@ LiveSource::LiveSource(const LiveSetup& setup) : queue_(kCapacity) {
   arrangement_.emplace(setup.motors, info_.robot,
                        text ? recording::parseReadAs(setup.motors.read_as, "motors.read_as")
                             : recording::ReadAs{});
-  rows_ = std::make_unique<RowSide>(std::move(input), info_.robot, *arrangement_,
+  rows_ = std::make_unique<RowSide>(std::move(input), info_.robot, *arrangement_, setup.motors.reference,
                                     piped ? RowSide::Faults::kEnd : RowSide::Faults::kDisconnect, queue_);
   if (setup.cameras)
     cameras_ = std::make_unique<CameraSide>(

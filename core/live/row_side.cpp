@@ -14,10 +14,11 @@ namespace capstan::live {
 using State = tracking::SideStatus::State;
 
 RowSide::RowSide(std::unique_ptr<RowInput> input, robot::Description robot, MotorArrangement arrangement,
-                 Faults faults, SampleQueue& queue)
+                 bool reference, Faults faults, SampleQueue& queue)
     : input_(std::move(input)),
       robot_(std::move(robot)),
       arrangement_(std::move(arrangement)),
+      reference_(reference),
       faults_(faults),
       queue_(queue) {
   status_.name = "motors";
@@ -127,6 +128,7 @@ void RowSide::pass(recording::MeasuredTable table) {
   recording::checkForTracking(table, robot_);
   if (!motors_judged_) motors_judged_ = arrangement_.check(table);
   input_->confirm();
+  if (!reference_) table.q.clear();
   if (faults_ == Faults::kEnd) {
     input_->checkOrder(table);
     return deliver(std::move(table), now());

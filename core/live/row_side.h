@@ -36,8 +36,9 @@ class RowSide {
     kDisconnect,  ///< a fault disconnects the program that made it; another one may connect
   };
   /// `arrangement` judges the first rows of every program; the samples stay as they came.
+  /// `reference`: columns q are joint encoders; else they are not used.
   RowSide(std::unique_ptr<RowInput> input, robot::Description robot, MotorArrangement arrangement,
-          Faults faults, SampleQueue& queue);
+          bool reference, Faults faults, SampleQueue& queue);
   ~RowSide();
 
   /// Waits for the first rows. Throws what rethrow() throws.
@@ -72,6 +73,7 @@ class RowSide {
   std::unique_ptr<RowInput> input_;
   const robot::Description robot_;
   const MotorArrangement arrangement_;
+  const bool reference_;
   const Faults faults_;
   SampleQueue& queue_;
   const Clock::time_point start_ = Clock::now();

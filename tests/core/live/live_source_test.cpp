@@ -256,6 +256,25 @@ TEST(LiveSource, RefusesAWrongOrderOfMotors) {
   EXPECT_THAT(tracking::textOf(status), testing::HasSubstr("Check motors"));
 }
 
+/// The set-up decides whether columns q are joint encoders.
+TEST(LiveSource, ColumnsThatAreNoReferenceAreNotUsed) {
+  for (const bool reference : {true, false}) {
+    LiveSetup setup = listening();
+    setup.motors.reference = reference;
+    LiveSource source(setup);
+    EXPECT_EQ(source.info().reference, reference);
+    playRows(movingTable(100), addressOf(source), kAtOnce, {}, nullptr);
+    ASSERT_TRUE(eventually([&] { return source.sides().front().received == 100; }));
+    int motors = 0, joints = 0;
+    for (tracking::Sample sample; source.ready(0ms) && source.next(sample);) {
+      motors += std::holds_alternative<tracking::MotorSample>(sample) ? 1 : 0;
+      joints += std::holds_alternative<tracking::JointSample>(sample) ? 1 : 0;
+    }
+    EXPECT_EQ(motors, 100);
+    EXPECT_EQ(joints, reference ? 100 : 0);
+  }
+}
+
 /// A runner paces recordings, but takes live samples as they come; commands do not wait for them.
 TEST(LiveSource, RunsInARunner) {
   auto source = std::make_unique<LiveSource>(listening());
