@@ -344,6 +344,7 @@ class Runner::Impl {
       const std::lock_guard lock(mutex_);
       published_report_ = report_;
       published_report_.lost = tracking::lostOf(sides);
+      published_report_.live_cameras = info_.real_time && info_.rig.has_value();
       status_.state = mode_ == Mode::kDone    ? done_
                       : mode_ == Mode::kPause ? RunState::kPaused
                                               : RunState::kRunning;

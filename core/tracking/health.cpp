@@ -76,7 +76,8 @@ void addTransmission(const TrackReport& report, Checks& checks) {
                                                          : HealthVerdict::kCautious;
   check.value = lines.empty() ? "no error found" : fmt::format("{}", fmt::join(lines, "; "));
   check.expected = "no error found";
-  check.advice = fmt::format("{}", fmt::join(remediesOf(report.transmission), " "));
+  const DelayField field = report.live_cameras ? DelayField::kLiveSetup : DelayField::kOptions;
+  check.advice = fmt::format("{}", fmt::join(remediesOf(report.transmission, field), " "));
   add(checks, std::move(check));
 }
 

@@ -119,6 +119,15 @@ TEST_F(HealthTest, EveryFaultIsNamedByItsOwnCheck) {
   expectOnly("transmission", HealthVerdict::kCautious);
 }
 
+TEST_F(HealthTest, ADelayIsSetWhereTheSessionHasIt) {
+  run(60.0, [](Snapshot& s, int) { s.transmission.camera_delay = -0.1; });
+  EXPECT_NE(check("transmission").advice.find("reduce camera_delay in the filter options by 0.100 s"),
+            std::string::npos);
+  report_.live_cameras = true;
+  EXPECT_NE(check("transmission").advice.find("reduce cameras.latency in the live set-up by 0.100 s"),
+            std::string::npos);
+}
+
 TEST_F(HealthTest, LostSamplesAreThoseOfAllSides) {
   SideStatus motors, cameras;
   motors.missing = 3;
