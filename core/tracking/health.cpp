@@ -113,13 +113,21 @@ void addRefused(const TrackReport& report, const HealthLimits& limits, Checks& c
              "the marker's colour, and at jump_tolerance."});
 }
 
+/// `late`: 99 % quantile. Infinity: longer than what is measured.
+std::string latencyText(double median, double late) {
+  const std::string above = fmt::format("above {:.0f} s", LatencyCounts::kLongest);
+  if (std::isinf(median)) return "median " + above;
+  return fmt::format("median {:.0f} ms, ", 1e3 * median) +
+         (std::isinf(late) ? "more than 1 % " + above : fmt::format("99 % within {:.0f} ms", 1e3 * late));
+}
+
 void addLatency(const TrackReport& report, double memory, const HealthLimits& limits, Checks& checks) {
   if (report.latencies.count() == 0) return;
   const double late = report.latencies.quantile(0.99), median = report.latencies.quantile(0.5);
   HealthCheck check{"latency", "camera latency"};
   check.verdict = judge(late / memory, limits.latency, limits.latency_fail);
   if (report.late_dropped > 0) check.verdict = std::max(check.verdict, HealthVerdict::kCautious);
-  check.value = fmt::format("median {:.0f} ms, 99 % within {:.0f} ms", 1e3 * median, 1e3 * late);
+  check.value = latencyText(median, late);
   if (report.late_dropped > 0) check.value += fmt::format(", {} too late", report.late_dropped);
   check.expected = fmt::format("within {:.0f} ms", 1e3 * limits.latency * memory);
   check.advice = fmt::format(
