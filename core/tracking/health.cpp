@@ -81,6 +81,32 @@ void addTransmission(const TrackReport& report, Checks& checks) {
   add(checks, std::move(check));
 }
 
+std::string noImageAdvice(const TrackReport& report) {
+  if (report.camera_samples == 0)
+    return "No pair of images came: the estimate is by the motors alone. Check addresses, stamps, pairing and "
+           "latency of the cameras in the live set-up.";
+  if (report.gates[static_cast<std::size_t>(Gate::kUnregistered)] == report.camera_samples)
+    return "The cameras are not registered: the estimate is by the motors alone. Register them, and name the "
+           "file in the live set-up (cameras.registration).";
+  return "Every pair was excluded: the estimate is by the motors alone. Look at the gate's reasons, the "
+         "detection of the marker and the latency.";
+}
+
+/// Of a live session whose set-up has cameras: the other checks of images judge only what came.
+void addCameras(const TrackReport& report, const HealthLimits& limits, Checks& checks) {
+  if (!report.live_cameras) return;
+  const std::uint64_t used = report.gates[static_cast<std::size_t>(Gate::kOpen)] + report.rays;
+  HealthCheck check{"cameras", "cameras", HealthVerdict::kPass};
+  if (used == 0)
+    check.verdict = report.last_t - report.first_t < limits.no_images ? HealthVerdict::kUnknown
+                                                                      : HealthVerdict::kFail;
+  check.value = used > 0 ? fmt::format("{} of {} samples used", used, report.camera_samples)
+                         : "no image was used";
+  check.expected = "images are used";
+  check.advice = noImageAdvice(report);
+  add(checks, std::move(check));
+}
+
 void addDetection(const TrackReport& report, const HealthLimits& limits, Checks& checks) {
   if (report.frames == 0) return;
   for (const int side : {0, 1}) {
@@ -178,6 +204,11 @@ std::uint64_t lostOf(const std::vector<SideStatus>& sides) {
   return lost;
 }
 
+void noteSource(const SourceInfo& info, const std::vector<SideStatus>& sides, TrackReport& report) {
+  report.lost = lostOf(sides);
+  report.live_cameras = info.real_time && info.rig.has_value();
+}
+
 std::vector<HealthCheck> healthOf(const TrackReport& report, const robot::Description& robot, double memory,
                                   const HealthLimits& limits) {
   Checks checks;
@@ -185,6 +216,7 @@ std::vector<HealthCheck> healthOf(const TrackReport& report, const robot::Descri
   addNis(report, robot, limits, checks);
   addNees(report, limits, checks);
   addTransmission(report, checks);
+  addCameras(report, limits, checks);
   addDetection(report, limits, checks);
   addRefused(report, limits, checks);
   addLatency(report, memory, limits, checks);

@@ -141,6 +141,30 @@ TEST_F(HealthTest, ALatencyBeyondTheCountsIsNoMeasurement) {
   EXPECT_EQ(check("latency").value, "median 50 ms, 99 % within 50 ms");
 }
 
+TEST_F(HealthTest, LiveCamerasOfWhichNoImageIsUsedFail) {
+  const auto without_images = [](Snapshot& s, int) { s.camera_updated = s.camera_images = false; };
+  report_.live_cameras = true;
+  run(1.0, without_images);
+  EXPECT_EQ(check("cameras").verdict, HealthVerdict::kUnknown) << "they may still come";
+  run(60.0, without_images);
+  EXPECT_EQ(check("cameras").verdict, HealthVerdict::kFail);
+  EXPECT_EQ(check("cameras").value, "no image was used");
+  EXPECT_NE(check("cameras").advice.find("No pair of images came"), std::string::npos);
+  report_ = {};
+  report_.live_cameras = true;
+  run(60.0, [](Snapshot& s, int) { s.gate = Gate::kUnregistered; });
+  EXPECT_EQ(check("cameras").verdict, HealthVerdict::kFail);
+  EXPECT_NE(check("cameras").advice.find("not registered"), std::string::npos);
+  report_ = {};
+  report_.live_cameras = true;
+  run(60.0);
+  EXPECT_EQ(check("cameras").verdict, HealthVerdict::kPass);
+  EXPECT_EQ(check("cameras").value, "900 of 900 samples used");
+  report_ = {};
+  run(60.0, without_images);
+  for (const HealthCheck& one : checks()) EXPECT_NE(one.key, "cameras") << "a robot without cameras";
+}
+
 TEST_F(HealthTest, LostSamplesAreThoseOfAllSides) {
   SideStatus motors, cameras;
   motors.missing = 3;
