@@ -43,9 +43,9 @@ LiveSource::LiveSource(const LiveSetup& setup) : queue_(kCapacity) {
     input = textRows(address, setup.motors.read_as, info_.robot);
   // The units of messages are not the user's to state.
   const bool text = address.kind != Address::Kind::kRos;
-  arrangement_.emplace(setup.motors, info_.robot,
-                       text ? recording::parseReadAs(setup.motors.read_as, "motors.read_as")
-                            : recording::ReadAs{});
+  arrangement_.emplace(
+      setup.motors, info_.robot,
+      text ? recording::parseReadAs(setup.motors.read_as, "motors.read_as") : recording::ReadAs{});
   rows_ = std::make_unique<RowSide>(std::move(input), info_.robot, *arrangement_, setup.motors.reference,
                                     piped ? RowSide::Faults::kEnd : RowSide::Faults::kDisconnect, queue_);
   if (setup.cameras)

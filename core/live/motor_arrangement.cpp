@@ -95,14 +95,15 @@ void MotorArrangement::checkLimits(const recording::MeasuredTable& rows, const V
     const double low = std::min(joint.limit_low, joint.homing) - margin;
     const double high = std::max(joint.limit_high, joint.homing) + margin;
     if (std::isnan(q[k]) || (q[k] >= low && q[k] <= high)) continue;
-    throw base::InputError({rows.file,
-                            0,
-                            {},
-                            {},
-                            fmt::format("by the motors, joint {} ({}) stands at {}, outside its limits {} to {}",
-                                        k + 1, joint.name, shown(joint, q[k]), shown(joint, joint.limit_low),
-                                        shown(joint, joint.limit_high)),
-                            kRemedy});
+    throw base::InputError(
+        {rows.file,
+         0,
+         {},
+         {},
+         fmt::format("by the motors, joint {} ({}) stands at {}, outside its limits {} to {}", k + 1,
+                     joint.name, shown(joint, q[k]), shown(joint, joint.limit_low),
+                     shown(joint, joint.limit_high)),
+         kRemedy});
   }
 }
 
@@ -128,7 +129,8 @@ void MotorArrangement::checkDegrees(const recording::MeasuredTable& rows, const 
        fmt::format("puts every joint beside its hard stop (joint 1, {}, at {}), while the same numbers in "
                    "radians give an arm inside its limits ({})",
                    first.name, shown(first, q[0]), shown(first, unconverted[0])),
-       "Leave q_m out of read_as if the rows are in radians; if they are in degrees, move the arm some degrees "
+       "Leave q_m out of read_as if the rows are in radians; if they are in degrees, move the arm some "
+       "degrees "
        "from the hard stop, then connect again"});
 }
 

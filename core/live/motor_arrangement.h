@@ -18,9 +18,9 @@ class MotorArrangement {
   void apply(tracking::MotorSample& sample) const;
 
   /// Judges the joint positions that the motors give by transmission kinematics, as medians over the rows.
-  /// False: no joint could be judged, since the motors that move it have no finite position. Throws base::InputError for a joint outside
-  /// its limits, widened to contain its hard stop and by kLimitMargin of its range, and for rows in radians
-  /// that are read as degrees.
+  /// False: no joint could be judged, since the motors that move it have no finite position. Throws
+  /// base::InputError for a joint outside its limits, widened to contain its hard stop and by kLimitMargin of
+  /// its range, and for rows in radians that are read as degrees.
   ///
   /// The margin has room for cable stretch (up to about 2°) and for the arm at its limit; an offset of the
   /// homing beyond it is as wrong as an exchanged motor.

@@ -83,7 +83,8 @@ void addTransmission(const TrackReport& report, Checks& checks) {
 
 std::string noImageAdvice(const TrackReport& report) {
   if (report.camera_samples == 0)
-    return "No pair of images came: the estimate is by the motors alone. Check addresses, stamps, pairing and "
+    return "No pair of images came: the estimate is by the motors alone. Check addresses, stamps, pairing "
+           "and "
            "latency of the cameras in the live set-up.";
   if (report.gates[static_cast<std::size_t>(Gate::kUnregistered)] == report.camera_samples)
     return "The cameras are not registered: the estimate is by the motors alone. Register them, and name the "
@@ -98,10 +99,10 @@ void addCameras(const TrackReport& report, const HealthLimits& limits, Checks& c
   const std::uint64_t used = report.gates[static_cast<std::size_t>(Gate::kOpen)] + report.rays;
   HealthCheck check{"cameras", "cameras", HealthVerdict::kPass};
   if (used == 0)
-    check.verdict = report.last_t - report.first_t < limits.no_images ? HealthVerdict::kUnknown
-                                                                      : HealthVerdict::kFail;
-  check.value = used > 0 ? fmt::format("{} of {} samples used", used, report.camera_samples)
-                         : "no image was used";
+    check.verdict =
+        report.last_t - report.first_t < limits.no_images ? HealthVerdict::kUnknown : HealthVerdict::kFail;
+  check.value =
+      used > 0 ? fmt::format("{} of {} samples used", used, report.camera_samples) : "no image was used";
   check.expected = "images are used";
   check.advice = noImageAdvice(report);
   add(checks, std::move(check));

@@ -30,8 +30,7 @@ bool delayed(const TransmissionEstimate& found) { return std::abs(found.camera_d
 
 /// The exposure is the stamp minus the field: late stamps (delay > 0) need a larger one.
 std::string delayRemedy(double delay, DelayField field) {
-  return fmt::format("The camera's time stamps are off: {} {} by {:.3f} s.",
-                     delay > 0.0 ? "raise" : "reduce",
+  return fmt::format("The camera's time stamps are off: {} {} by {:.3f} s.", delay > 0.0 ? "raise" : "reduce",
                      field == DelayField::kLiveSetup ? "cameras.latency in the live set-up"
                                                      : "camera_delay in the filter options",
                      std::abs(delay));
@@ -86,8 +85,7 @@ std::vector<std::string> remediesOf(const TransmissionEstimate& found, DelayFiel
         "A cable's zero is off, as after a wrong homing or an encoder that slipped: home the arm again.");
   if (found.camerasMoved())
     remedies.emplace_back("The cameras are not where they were registered: register them again.");
-  if (delayed(found))
-    remedies.push_back(delayRemedy(found.camera_delay, delay_field));
+  if (delayed(found)) remedies.push_back(delayRemedy(found.camera_delay, delay_field));
   if (found.change_in_question)
     remedies.emplace_back(
         "If cameras were moved, register them again; if an encoder slipped, home the arm. Movement shows "

@@ -47,9 +47,8 @@ TEST(TransmissionText, EachKindOfErrorHasItsRemedy) {
   EXPECT_EQ(remediesOf(late),
             Lines{"The camera's time stamps are off: raise camera_delay in the filter options by 0.060 s."});
   late.camera_delay = -0.1;
-  EXPECT_EQ(
-      remediesOf(late, DelayField::kLiveSetup),
-      Lines{"The camera's time stamps are off: reduce cameras.latency in the live set-up by 0.100 s."});
+  EXPECT_EQ(remediesOf(late, DelayField::kLiveSetup),
+            Lines{"The camera's time stamps are off: reduce cameras.latency in the live set-up by 0.100 s."});
 }
 
 TEST(TransmissionText, AChangeInQuestionIsNamedWithoutACause) {
