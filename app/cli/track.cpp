@@ -206,7 +206,7 @@ ExitCode track(TrackArguments& arguments, const CLI::App& command) {
   }
   estimates.close();
 
-  report.lost = tracking::lostOf(source->sides());
+  tracking::noteSource(info, source->sides(), report);
   const auto health = tracking::healthOf(report, info.robot, options.memory);
   std::string text = textOf(report, info, spent.count()) + healthText(health);
   nlohmann::json document = cli::documentOf(report, info, health, arguments.estimator_robot);

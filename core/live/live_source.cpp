@@ -28,7 +28,7 @@ std::unique_ptr<RowInput> textRows(const Address& address, const std::string& re
 
 }  // namespace
 
-LiveSource::LiveSource(const LiveSetup& setup) : setup_(setup.motors), queue_(kCapacity) {
+LiveSource::LiveSource(const LiveSetup& setup) : queue_(kCapacity) {
   if (setup.cameras) readCameras(*setup.cameras);
   const Address address = parseAddress(setup.motors.from, "motors.from");
   const bool piped = address.kind == Address::Kind::kStandardInput;
@@ -41,7 +41,12 @@ LiveSource::LiveSource(const LiveSetup& setup) : setup_(setup.motors), queue_(kC
     input = std::make_unique<RosRows>(setup.motors, info_.robot);
   else
     input = textRows(address, setup.motors.read_as, info_.robot);
-  rows_ = std::make_unique<RowSide>(std::move(input), info_.robot,
+  // The units of messages are not the user's to state.
+  const bool text = address.kind != Address::Kind::kRos;
+  arrangement_.emplace(
+      setup.motors, info_.robot,
+      text ? recording::parseReadAs(setup.motors.read_as, "motors.read_as") : recording::ReadAs{});
+  rows_ = std::make_unique<RowSide>(std::move(input), info_.robot, *arrangement_, setup.motors.reference,
                                     piped ? RowSide::Faults::kEnd : RowSide::Faults::kDisconnect, queue_);
   if (setup.cameras)
     cameras_ = std::make_unique<CameraSide>(
@@ -119,7 +124,7 @@ bool LiveSource::next(tracking::Sample& out) {
   if (!begin_) begin_ = t, begun_at_ = SampleQueue::Clock::now();
   if (duration_ > 0.0 && t - *begin_ > duration_) return false;
   if (auto* motor = std::get_if<tracking::MotorSample>(&out)) {
-    arrange(*motor);
+    arrangement_->apply(*motor);
     if (commander_) commander_->observe(transmission_->jointFromMotor(motor->position), *offered);
   }
   if (auto* tip = std::get_if<tracking::TipSample>(&out); tip && (left_blocked_ || right_blocked_))
@@ -131,17 +136,6 @@ bool LiveSource::next(tracking::Sample& out) {
 void LiveSource::cover(tracking::StereoFrame& frame) const {
   if (left_blocked_ && !frame.left.empty()) vision::coverImage(frame.left, frame.t, 0);
   if (right_blocked_ && !frame.right.empty()) vision::coverImage(frame.right, frame.t, 1);
-}
-
-void LiveSource::arrange(tracking::MotorSample& sample) const {
-  const tracking::MotorSample given = sample;
-  for (int k = 0; k < 3; ++k) {
-    const auto joint = static_cast<std::size_t>(k);
-    const int from = setup_.motors[joint] - 1;
-    sample.position[k] = setup_.signs[joint] * given.position[from];
-    sample.velocity[k] = setup_.signs[joint] * given.velocity[from];
-    sample.torque[k] = setup_.signs[joint] * given.torque[from];
-  }
 }
 
 }  // namespace capstan::live

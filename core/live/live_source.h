@@ -40,12 +40,11 @@ class LiveSource final : public tracking::Source, public Commandable {
  private:
   void readCameras(const CamerasSetup& setup);
   void cover(tracking::StereoFrame& frame) const;
-  void arrange(tracking::MotorSample& sample) const;
   void noteTracked();
   bool timeIsUp() const;
 
-  RowsSetup setup_;
   tracking::SourceInfo info_;
+  std::optional<MotorArrangement> arrangement_;
   SampleQueue queue_;
   struct Taken {
     SampleQueue::Clock::time_point offered;

@@ -13,8 +13,14 @@ namespace capstan::live {
 
 using State = tracking::SideStatus::State;
 
-RowSide::RowSide(std::unique_ptr<RowInput> input, robot::Description robot, Faults faults, SampleQueue& queue)
-    : input_(std::move(input)), robot_(std::move(robot)), faults_(faults), queue_(queue) {
+RowSide::RowSide(std::unique_ptr<RowInput> input, robot::Description robot, MotorArrangement arrangement,
+                 bool reference, Faults faults, SampleQueue& queue)
+    : input_(std::move(input)),
+      robot_(std::move(robot)),
+      arrangement_(std::move(arrangement)),
+      reference_(reference),
+      faults_(faults),
+      queue_(queue) {
   status_.name = "motors";
   status_.from = input_->name();
   thread_ = std::thread([this] { work(); });
@@ -106,6 +112,7 @@ void RowSide::noteHint() {
 }
 
 void RowSide::begin(bool replaced) {
+  motors_judged_ = false;
   times_.reconnect();
   const std::lock_guard lock(mutex_);
   ++status_.connections;
@@ -119,7 +126,9 @@ void RowSide::begin(bool replaced) {
 
 void RowSide::pass(recording::MeasuredTable table) {
   recording::checkForTracking(table, robot_);
+  if (!motors_judged_) motors_judged_ = arrangement_.check(table);
   input_->confirm();
+  if (!reference_) table.q.clear();
   if (faults_ == Faults::kEnd) {
     input_->checkOrder(table);
     return deliver(std::move(table), now());

@@ -10,6 +10,7 @@
 #include <thread>
 #include <vector>
 
+#include "core/live/motor_arrangement.h"
 #include "core/live/row_input.h"
 #include "core/live/sample_queue.h"
 #include "core/live/streams/clock_map.h"
@@ -34,7 +35,10 @@ class RowSide {
     kEnd,         ///< a fault ends the stream, like that of a file: rethrow() reports it
     kDisconnect,  ///< a fault disconnects the program that made it; another one may connect
   };
-  RowSide(std::unique_ptr<RowInput> input, robot::Description robot, Faults faults, SampleQueue& queue);
+  /// `arrangement` judges the first rows of every program; the samples stay as they came.
+  /// `reference`: columns q are joint encoders; else they are not used.
+  RowSide(std::unique_ptr<RowInput> input, robot::Description robot, MotorArrangement arrangement,
+          bool reference, Faults faults, SampleQueue& queue);
   ~RowSide();
 
   /// Waits for the first rows. Throws what rethrow() throws.
@@ -68,12 +72,15 @@ class RowSide {
 
   std::unique_ptr<RowInput> input_;
   const robot::Description robot_;
+  const MotorArrangement arrangement_;
+  const bool reference_;
   const Faults faults_;
   SampleQueue& queue_;
   const Clock::time_point start_ = Clock::now();
   RowTimes times_;
   std::promise<RowFacts> first_;
   bool first_known_ = false, ended_ = false;
+  bool motors_judged_ = false;  ///< those of the program that is connected
   std::atomic<bool> quit_{false};
 
   mutable std::mutex mutex_;  ///< protects the members below

@@ -343,7 +343,7 @@ class Runner::Impl {
     {
       const std::lock_guard lock(mutex_);
       published_report_ = report_;
-      published_report_.lost = tracking::lostOf(sides);
+      tracking::noteSource(info_, sides, published_report_);
       status_.state = mode_ == Mode::kDone    ? done_
                       : mode_ == Mode::kPause ? RunState::kPaused
                                               : RunState::kRunning;

@@ -76,7 +76,35 @@ void addTransmission(const TrackReport& report, Checks& checks) {
                                                          : HealthVerdict::kCautious;
   check.value = lines.empty() ? "no error found" : fmt::format("{}", fmt::join(lines, "; "));
   check.expected = "no error found";
-  check.advice = fmt::format("{}", fmt::join(remediesOf(report.transmission), " "));
+  const DelayField field = report.live_cameras ? DelayField::kLiveSetup : DelayField::kOptions;
+  check.advice = fmt::format("{}", fmt::join(remediesOf(report.transmission, field), " "));
+  add(checks, std::move(check));
+}
+
+std::string noImageAdvice(const TrackReport& report) {
+  if (report.camera_samples == 0)
+    return "No pair of images came: the estimate is by the motors alone. Check addresses, stamps, pairing "
+           "and "
+           "latency of the cameras in the live set-up.";
+  if (report.gates[static_cast<std::size_t>(Gate::kUnregistered)] == report.camera_samples)
+    return "The cameras are not registered: the estimate is by the motors alone. Register them, and name the "
+           "file in the live set-up (cameras.registration).";
+  return "Every pair was excluded: the estimate is by the motors alone. Look at the gate's reasons, the "
+         "detection of the marker and the latency.";
+}
+
+/// Of a live session whose set-up has cameras: the other checks of images judge only what came.
+void addCameras(const TrackReport& report, const HealthLimits& limits, Checks& checks) {
+  if (!report.live_cameras) return;
+  const std::uint64_t used = report.gates[static_cast<std::size_t>(Gate::kOpen)] + report.rays;
+  HealthCheck check{"cameras", "cameras", HealthVerdict::kPass};
+  if (used == 0)
+    check.verdict =
+        report.last_t - report.first_t < limits.no_images ? HealthVerdict::kUnknown : HealthVerdict::kFail;
+  check.value =
+      used > 0 ? fmt::format("{} of {} samples used", used, report.camera_samples) : "no image was used";
+  check.expected = "images are used";
+  check.advice = noImageAdvice(report);
   add(checks, std::move(check));
 }
 
@@ -112,13 +140,21 @@ void addRefused(const TrackReport& report, const HealthLimits& limits, Checks& c
              "the marker's colour, and at jump_tolerance."});
 }
 
+/// `late`: 99 % quantile. Infinity: longer than what is measured.
+std::string latencyText(double median, double late) {
+  const std::string above = fmt::format("above {:.0f} s", LatencyCounts::kLongest);
+  if (std::isinf(median)) return "median " + above;
+  return fmt::format("median {:.0f} ms, ", 1e3 * median) +
+         (std::isinf(late) ? "more than 1 % " + above : fmt::format("99 % within {:.0f} ms", 1e3 * late));
+}
+
 void addLatency(const TrackReport& report, double memory, const HealthLimits& limits, Checks& checks) {
   if (report.latencies.count() == 0) return;
   const double late = report.latencies.quantile(0.99), median = report.latencies.quantile(0.5);
   HealthCheck check{"latency", "camera latency"};
   check.verdict = judge(late / memory, limits.latency, limits.latency_fail);
   if (report.late_dropped > 0) check.verdict = std::max(check.verdict, HealthVerdict::kCautious);
-  check.value = fmt::format("median {:.0f} ms, 99 % within {:.0f} ms", 1e3 * median, 1e3 * late);
+  check.value = latencyText(median, late);
   if (report.late_dropped > 0) check.value += fmt::format(", {} too late", report.late_dropped);
   check.expected = fmt::format("within {:.0f} ms", 1e3 * limits.latency * memory);
   check.advice = fmt::format(
@@ -169,6 +205,11 @@ std::uint64_t lostOf(const std::vector<SideStatus>& sides) {
   return lost;
 }
 
+void noteSource(const SourceInfo& info, const std::vector<SideStatus>& sides, TrackReport& report) {
+  report.lost = lostOf(sides);
+  report.live_cameras = info.real_time && info.rig.has_value();
+}
+
 std::vector<HealthCheck> healthOf(const TrackReport& report, const robot::Description& robot, double memory,
                                   const HealthLimits& limits) {
   Checks checks;
@@ -176,6 +217,7 @@ std::vector<HealthCheck> healthOf(const TrackReport& report, const robot::Descri
   addNis(report, robot, limits, checks);
   addNees(report, limits, checks);
   addTransmission(report, checks);
+  addCameras(report, limits, checks);
   addDetection(report, limits, checks);
   addRefused(report, limits, checks);
   addLatency(report, memory, limits, checks);

@@ -26,6 +26,7 @@ struct HealthLimits {
   double latency = 0.5, latency_fail = 1.0;        ///< 99 % latency over the filter's memory
   double rescues = 0.0, rescues_fail = 1e-3;       ///< repaired covariances per sample
   double lost = 0.0, lost_fail = 1e-3;             ///< lost, dropped and refused samples per sample
+  double no_images = 2.0;       ///< length of a live session with cameras that has used no image [s]
   std::uint64_t updates = 300;  ///< camera updates before NIS is judged: 20 s at 15 per second
 };
 
@@ -41,10 +42,13 @@ struct HealthCheck {
 
 /// Number of samples that the sides of a live source lost or dropped.
 std::uint64_t lostOf(const std::vector<SideStatus>& sides);
+/// Notes in `report` what only its source knows: whether it is live with cameras, and what it lost.
+void noteSource(const SourceInfo& info, const std::vector<SideStatus>& sides, TrackReport& report);
 
 /// Checks of the estimator that ran over `report`: NIS of every joint, NEES (with a reference), errors of the
-/// transmission, detection rates, refused camera samples, latency, rescues, encoders, lost samples. `memory`
-/// is TrackingOptions::memory [s]. Checks of what the session does not have (images, reference) are left out.
+/// transmission, use of the cameras of a live session, detection rates, refused camera samples, latency,
+/// rescues, encoders, lost samples. `memory` is TrackingOptions::memory [s]. Checks of what the session does
+/// not have (images, reference) are left out.
 std::vector<HealthCheck> healthOf(const TrackReport& report, const robot::Description& robot, double memory,
                                   const HealthLimits& limits = {});
 

@@ -34,7 +34,8 @@ struct TrackReport {
   LatencyCounts latencies;       ///< of camera samples
   std::uint64_t rescues = 0, late_dropped = 0;
   std::uint64_t motor_refused = 0;  ///< motor samples that were not finite or not later than the one before
-  std::uint64_t lost = 0;           ///< samples that a live source lost or dropped, lostOf(); else 0
+  bool live_cameras = false;        ///< a live source with cameras, noteSource(); else false
+  std::uint64_t lost = 0;           ///< samples that a live source lost or dropped, noteSource(); else 0
   std::array<MotorFault, 3> motor_failed{};    ///< failed encoders at the end
   std::array<double, 3> motor_failed_since{};  ///< time of detection or declaration [s]
   TransmissionEstimate transmission;           ///< estimate of the augmented filter at the end

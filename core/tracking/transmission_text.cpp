@@ -28,6 +28,14 @@ double stiffnessRatio(const TransmissionEstimate& found, int joint) {
 
 bool delayed(const TransmissionEstimate& found) { return std::abs(found.camera_delay) > kDelayOfNote; }
 
+/// The exposure is the stamp minus the field: late stamps (delay > 0) need a larger one.
+std::string delayRemedy(double delay, DelayField field) {
+  return fmt::format("The camera's time stamps are off: {} {} by {:.3f} s.", delay > 0.0 ? "raise" : "reduce",
+                     field == DelayField::kLiveSetup ? "cameras.latency in the live set-up"
+                                                     : "camera_delay in the filter options",
+                     std::abs(delay));
+}
+
 std::string camerasText(const TransmissionEstimate& found) {
   std::string text = fmt::format("cameras moved since their registration: {:.2f}°, {:.1f} mm",
                                  base::toDegrees(found.camera_rotation.norm()),
@@ -64,7 +72,7 @@ std::vector<std::string> linesOf(const TransmissionEstimate& found) {
   return lines;
 }
 
-std::vector<std::string> remediesOf(const TransmissionEstimate& found) {
+std::vector<std::string> remediesOf(const TransmissionEstimate& found, DelayField delay_field) {
   bool constant = false, zero = false;
   for (int i = 0; i < 3; ++i) {
     constant |= found.includesScale(i) || found.includesCompliance(i);
@@ -77,8 +85,7 @@ std::vector<std::string> remediesOf(const TransmissionEstimate& found) {
         "A cable's zero is off, as after a wrong homing or an encoder that slipped: home the arm again.");
   if (found.camerasMoved())
     remedies.emplace_back("The cameras are not where they were registered: register them again.");
-  if (delayed(found))
-    remedies.emplace_back("The camera's time stamps are off: set the delay in the options (camera_delay).");
+  if (delayed(found)) remedies.push_back(delayRemedy(found.camera_delay, delay_field));
   if (found.change_in_question)
     remedies.emplace_back(
         "If cameras were moved, register them again; if an encoder slipped, home the arm. Movement shows "

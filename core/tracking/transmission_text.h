@@ -14,9 +14,16 @@ namespace capstan::tracking {
 /// included.
 std::vector<std::string> linesOf(const TransmissionEstimate& found);
 
+/// Where the delay of camera stamps is set.
+enum class DelayField {
+  kOptions,    ///< camera_delay of the filter options
+  kLiveSetup,  ///< cameras.latency of a live set-up
+};
+
 /// Remedies, one sentence per kind of error: "A constant of the robot file is wrong: identify it.", "The
 /// cameras are not where they were registered: register them again." Empty: no error is included.
-std::vector<std::string> remediesOf(const TransmissionEstimate& found);
+std::vector<std::string> remediesOf(const TransmissionEstimate& found,
+                                    DelayField delay_field = DelayField::kOptions);
 
 /// Short form of linesOf() for a status line: "q1 travel +7.0 %, q3 zero −2.1 mm".
 std::string shortTextOf(const TransmissionEstimate& found);

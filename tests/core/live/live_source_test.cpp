@@ -227,13 +227,52 @@ TEST(LiveSource, ArrangesMotorsAndSigns) {
   setup.motors.motors = {2, 1, 3};
   setup.motors.signs = {-1.0, 1.0, -1.0};
   LiveSource source(setup);
-  const recording::MeasuredTable table = movingTable(60);
+  // A robot whose first two motors are exchanged, and two of which count the other way.
+  recording::MeasuredTable table = movingTable(60);
+  std::swap(table.q_m[0], table.q_m[1]);
+  for (const std::size_t column : {1U, 2U})
+    for (double& position : table.q_m[column]) position = -position;
   playRows(table, addressOf(source), kAtOnce, {}, nullptr);
   tracking::Sample sample;
   ASSERT_TRUE(source.ready(2s));
   ASSERT_TRUE(source.next(sample));
   EXPECT_EQ(std::get<tracking::MotorSample>(sample).position,
             Eigen::Vector3d(-table.q_m[1][0], table.q_m[0][0], -table.q_m[2][0]));
+}
+
+/// Without cameras and encoders nothing else would name it.
+TEST(LiveSource, RefusesAWrongOrderOfMotors) {
+  LiveSetup setup = listening();
+  setup.motors.motors = {2, 1, 3};
+  LiveSource source(setup);
+  TcpSender robot(addressOf(source));
+  robot.send(formatMeasuredTable(movingTable(100)));
+  std::string answer;
+  ASSERT_TRUE(eventually([&] { return !(answer = robot.answer()).empty(); }));
+  EXPECT_THAT(answer, testing::HasSubstr("outside its limits"));
+  const tracking::SideStatus status = source.sides().front();
+  EXPECT_EQ(status.state, State::kRefused);
+  EXPECT_EQ(status.received, 0U);
+  EXPECT_THAT(tracking::textOf(status), testing::HasSubstr("Check motors"));
+}
+
+/// The set-up decides whether columns q are joint encoders.
+TEST(LiveSource, ColumnsThatAreNoReferenceAreNotUsed) {
+  for (const bool reference : {true, false}) {
+    LiveSetup setup = listening();
+    setup.motors.reference = reference;
+    LiveSource source(setup);
+    EXPECT_EQ(source.info().reference, reference);
+    playRows(movingTable(100), addressOf(source), kAtOnce, {}, nullptr);
+    ASSERT_TRUE(eventually([&] { return source.sides().front().received == 100; }));
+    int motors = 0, joints = 0;
+    for (tracking::Sample sample; source.ready(0ms) && source.next(sample);) {
+      motors += std::holds_alternative<tracking::MotorSample>(sample) ? 1 : 0;
+      joints += std::holds_alternative<tracking::JointSample>(sample) ? 1 : 0;
+    }
+    EXPECT_EQ(motors, 100);
+    EXPECT_EQ(joints, reference ? 100 : 0);
+  }
 }
 
 /// A runner paces recordings, but takes live samples as they come; commands do not wait for them.

@@ -44,7 +44,11 @@ TEST(TransmissionText, EachKindOfErrorHasItsRemedy) {
   TransmissionEstimate late;
   late.camera_delay = 0.06;
   EXPECT_EQ(linesOf(late), Lines{"camera stamps 60 ms late"});
-  EXPECT_EQ(remediesOf(late).size(), 1U);
+  EXPECT_EQ(remediesOf(late),
+            Lines{"The camera's time stamps are off: raise camera_delay in the filter options by 0.060 s."});
+  late.camera_delay = -0.1;
+  EXPECT_EQ(remediesOf(late, DelayField::kLiveSetup),
+            Lines{"The camera's time stamps are off: reduce cameras.latency in the live set-up by 0.100 s."});
 }
 
 TEST(TransmissionText, AChangeInQuestionIsNamedWithoutACause) {

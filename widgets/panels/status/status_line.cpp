@@ -8,7 +8,6 @@
 
 #include "core/estimation/nis_verdict.h"
 #include "core/tracking/side_text.h"
-#include "core/tracking/transmission_text.h"
 
 namespace capstan::widgets {
 
@@ -202,7 +201,7 @@ void StatusLine::showNis(const tracking::Snapshot& snapshot) {
   QStringList explained;
   for (const std::string& line : tracking::linesOf(snapshot.transmission))
     explained << QString::fromStdString(line);
-  for (const std::string& remedy : tracking::remediesOf(snapshot.transmission))
+  for (const std::string& remedy : tracking::remediesOf(snapshot.transmission, delay_field_))
     explained << QString::fromStdString(remedy);
   labels_[kTransmission]->setToolTip(explained.join(QLatin1Char('\n')));
   remedies_->setVisible((failed || !carried.empty()) && remedies_->menu());
@@ -223,6 +222,7 @@ void StatusLine::showMotors(const tracking::Snapshot& snapshot) {
 }
 
 void StatusLine::showStatus(const live::RunStatus& status, double recorded_seconds) {
+  delay_field_ = status.sides.empty() ? tracking::DelayField::kOptions : tracking::DelayField::kLiveSetup;
   const QString state = QString::fromStdString(std::string(base::nameOf(status.state)));
   set(kState, state, status.state == RunState::kFailed ? Tone::kFault : Tone::kPlain);
   const bool behind = status.state == RunState::kRunning && status.real_time_factor > 0.0 &&

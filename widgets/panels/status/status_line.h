@@ -8,6 +8,7 @@
 #include "core/live/runner.h"
 #include "core/recording/disk_space.h"
 #include "core/tracking/snapshot.h"
+#include "core/tracking/transmission_text.h"
 #include "widgets/figures/theme.h"
 
 class QAction;
@@ -86,6 +87,7 @@ class StatusLine : public QWidget {
   QToolButton* remedies_;
   QString folder_;
   bool tips_ = false;  ///< the camera samples are tip positions, not images
+  tracking::DelayField delay_field_ = tracking::DelayField::kOptions;
   QElapsedTimer disk_backlog_;
 };
 
