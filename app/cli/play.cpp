@@ -13,6 +13,7 @@
 #include "core/recording/export.h"
 #include "core/recording/recording_kinds.h"
 #include "core/recording/session_file.h"
+#include "core/recording/session_source.h"
 
 namespace capstan::cli {
 namespace {
@@ -101,12 +102,13 @@ Played playBoth(const PlayArguments& arguments, const std::optional<RowPlay>& ro
     const std::string at = fmt::format("http://{}:{}", images->at.host, server->port());
     notice(fmt::format("images at {0}/left, {0}/right and, side by side, {0}/both", at));
   }
+  std::optional<recording::SessionSource> pairs;
+  if (images) pairs.emplace(arguments.file);
   const live::PlayClock clock{.begin = table.t.front(), .speed = arguments.speed};
   std::future<live::ImagePlayReport> served;
   if (images)
-    served = std::async(std::launch::async, [&] {
-      return live::playImages(arguments.file, *server, clock, images->options, &progress);
-    });
+    served = std::async(std::launch::async,
+                        [&] { return live::playImages(*pairs, *server, clock, images->options, &progress); });
   Played played;
   played.started = clock.started;
   try {
@@ -172,6 +174,20 @@ Played playRos(const PlayArguments& arguments, RecordingFormat format, const Row
   return played;
 }
 
+/// `pairs`: of the whole recording.
+std::string wordsOf(const live::ImagePlayReport& images, std::uint64_t pairs) {
+  std::string text = fmt::format("{} of {} pairs of images in time", images.sent, pairs);
+  if (images.skipped > 0) text += fmt::format(", {} skipped: this computer is too slow", images.skipped);
+  if (pairs > images.pairs()) text += fmt::format(", {} not reached", pairs - images.pairs());
+  return text + fmt::format("; {} withheld by faults\n", images.withheld);
+}
+
+/// Number of pairs of images in the recording; `played` where it does not say it before.
+std::uint64_t pairsOf(const std::string& file, const live::ImagePlayReport& played) {
+  if (detectFormat(file) != RecordingFormat::kSession) return played.pairs();
+  return static_cast<std::uint64_t>(recording::readSessionSummary(file).frames);
+}
+
 void say(const PlayArguments& arguments, const Output& output, std::size_t rows, const Played& played) {
   nlohmann::json json;
   if (const auto& report = played.rows) {
@@ -190,9 +206,12 @@ void say(const PlayArguments& arguments, const Output& output, std::size_t rows,
     if (report->refused) notice("the receiver has ended the connection and does not listen any more");
   }
   if (const auto& report = played.images) {
-    output.text(
-        fmt::format("{} pairs of images served; {} withheld by faults\n", report->sent, report->withheld));
-    json["images"] = {{"sent", report->sent}, {"withheld", report->withheld}};
+    const std::uint64_t pairs = pairsOf(arguments.file, *report);
+    output.text(wordsOf(*report, pairs));
+    json["images"] = {{"pairs", pairs},
+                      {"sent", report->sent},
+                      {"withheld", report->withheld},
+                      {"skipped", report->skipped}};
   }
   json["started"] = played.started;
   output.json(json);

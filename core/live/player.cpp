@@ -1,5 +1,6 @@
 #include "core/live/player.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <memory>
@@ -8,7 +9,6 @@
 
 #include "core/base/error.h"
 #include "core/live/streams/tcp_sender.h"
-#include "core/recording/session_source.h"
 
 namespace capstan::live {
 namespace {
@@ -66,6 +66,11 @@ void PlayClock::waitUntil(double since_begin) const {
                                               std::chrono::duration<double>(since_begin / speed)));
 }
 
+double PlayClock::overdueBy(double since_begin) const {
+  if (speed <= 0.0) return 0.0;
+  return std::max(std::chrono::duration<double>(Clock::now() - start).count() - since_begin / speed, 0.0);
+}
+
 std::int64_t PlayClock::stampOf(double t) const {
   return static_cast<std::int64_t>(std::llround(1e9 * (started + (speed > 0.0 ? (t - begin) / speed : 0.0))));
 }
@@ -100,11 +105,10 @@ PlayReport playRows(const recording::MeasuredTable& table, const Address& to, co
   return report;
 }
 
-ImagePlayReport playImages(const std::filesystem::path& session, ImageServer& server, const PlayClock& clock,
+ImagePlayReport playImages(tracking::Source& source, ImageServer& server, const PlayClock& clock,
                            const PlayOptions& options, const base::Progress* progress) {
   ImagePlayReport report;
   FaultyRows pairs(options.faults, options.seed);
-  recording::SessionSource source(session);
   tracking::Sample sample;
   tracking::StereoFrame shown;
   for (std::size_t k = 0; source.next(sample) && !(progress && progress->cancelled());) {
@@ -116,6 +120,10 @@ ImagePlayReport playImages(const std::filesystem::path& session, ImageServer& se
     ++k;
     if (!played) {
       ++report.withheld;
+      continue;
+    }
+    if (clock.overdueBy(played->due) > ImagePlayReport::kOverdue) {
+      ++report.skipped;
       continue;
     }
     clock.waitUntil(played->due);

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <chrono>
-#include <filesystem>
 #include <vector>
 
 #include "core/base/progress.h"
@@ -9,6 +8,7 @@
 #include "core/live/play_faults.h"
 #include "core/live/streams/address.h"
 #include "core/recording/measured_table.h"
+#include "core/tracking/source.h"
 
 namespace capstan::live {
 
@@ -22,6 +22,8 @@ struct PlayClock {
   double started = std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
 
   void waitUntil(double since_begin) const;
+  /// How long ago this was due [s]; 0: not yet, or the speed is 0.
+  double overdueBy(double since_begin) const;
   /// Time of this computer at which the time `t` of the recording [s] is played, since 1970 [ns].
   std::int64_t stampOf(double t) const;
 };
@@ -49,12 +51,17 @@ PlayReport playRows(const recording::MeasuredTable& table, const Address& to, co
                     const PlayOptions& options, base::Progress* progress);
 
 struct ImagePlayReport {
-  std::uint64_t sent = 0, withheld = 0;  ///< pairs of images
+  static constexpr double kOverdue = 0.1;  // [s]
+  std::uint64_t sent = 0, withheld = 0;    ///< pairs of images
+  std::uint64_t skipped = 0;  ///< pairs overdue by more than kOverdue: this computer is too slow
+
+  std::uint64_t pairs() const { return sent + withheld + skipped; }
 };
 
 /// Serves the images of a session at the times at which they arrived there, with their times of exposure on
-/// this computer's clock as stamps. Throws base::InputError for a session that cannot be read.
-ImagePlayReport playImages(const std::filesystem::path& session, ImageServer& server, const PlayClock& clock,
+/// this computer's clock as stamps. `source` is opened before the clock starts, since that takes time.
+/// Throws base::InputError for a session that cannot be read.
+ImagePlayReport playImages(tracking::Source& source, ImageServer& server, const PlayClock& clock,
                            const PlayOptions& options, const base::Progress* progress);
 
 }  // namespace capstan::live

@@ -129,6 +129,10 @@ ImagePlayReport RosPlayer::playImages(tracking::Source& source, const PlayClock&
       ++report.withheld;
       continue;
     }
+    if (clock.overdueBy(played->due) > ImagePlayReport::kOverdue) {
+      ++report.skipped;
+      continue;
+    }
     clock.waitUntil(played->due);
     StereoFrame sent = shown;
     if (played->swapped) std::swap(sent.left, sent.right);
