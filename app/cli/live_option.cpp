@@ -65,20 +65,24 @@ std::string textOf(const std::vector<tracking::SideStatus>& sides) {
   return text;
 }
 
+nlohmann::json orNull(const std::string& text) { return text.empty() ? nlohmann::json() : text; }
+
 nlohmann::json jsonOf(const std::vector<tracking::SideStatus>& sides) {
   nlohmann::json all = nlohmann::json::array();
   for (const tracking::SideStatus& side : sides) {
-    nlohmann::json clock, latency;
+    nlohmann::json clock, latency, times;
     if (side.latency) latency = {{"median", side.latency->median}, {"p99", side.latency->p99}};
     if (side.clock)
       clock = {{"steps", side.clock->steps},          {"last_step", side.clock->last_step},
                {"offset", side.clock->offset},        {"offset_sigma", side.clock->offset_sigma},
                {"drift", side.clock->drift},          {"drift_sigma", side.clock->drift_sigma},
                {"mean_delay", side.clock->mean_delay}};
+    if (side.times) times = base::nameOf(*side.times);
     all.push_back({{"side", side.name},
                    {"from", side.from},
                    {"state", base::nameOf(side.state)},
-                   {"fault", side.fault.empty() ? nlohmann::json() : nlohmann::json(side.fault)},
+                   {"fault", orNull(side.fault)},
+                   {"reason", orNull(side.reason)},
                    {"received", side.received},
                    {"missing", side.missing},
                    {"repeated", side.repeated},
@@ -87,6 +91,7 @@ nlohmann::json jsonOf(const std::vector<tracking::SideStatus>& sides) {
                    {"frozen", side.frozen},
                    {"connections", side.connections},
                    {"refused", side.refused},
+                   {"times", std::move(times)},
                    {"latency", std::move(latency)},
                    {"clock", std::move(clock)}});
   }

@@ -1,8 +1,12 @@
 #include <fmt/format.h>
 
+#include <chrono>
+#include <cmath>
 #include <future>
 #include <memory>
 #include <optional>
+#include <thread>
+#include <utility>
 
 #include "app/cli/command.h"
 #include "app/cli/console.h"
@@ -20,7 +24,7 @@ namespace {
 
 struct PlayArguments {
   std::string file, to, video, robot, read_as, json;
-  double speed = 1.0;
+  double speed = 1.0, wait = 30.0;
   unsigned seed = 1;
   std::vector<std::string> faults, video_faults;
   bool wait_for_images = false;
@@ -92,6 +96,24 @@ struct Played {
   double started = 0.0;  ///< time since 1970 at which the first row was due [s]
 };
 
+/// Connects to the receiver of the rows as soon as it listens. Null: the user has cancelled. Throws
+/// base::InputError where nothing listens within --wait.
+std::unique_ptr<live::TcpSender> waitForReceiver(const live::Address& to, const PlayArguments& arguments,
+                                                 const base::Progress& progress) {
+  using Clock = std::chrono::steady_clock;
+  constexpr std::chrono::milliseconds kPause{100};  // between two attempts
+  const auto end = Clock::now() + std::chrono::duration<double>(arguments.wait);
+  for (bool said = false; !progress.cancelled(); std::this_thread::sleep_for(kPause)) {
+    try {
+      return std::make_unique<live::TcpSender>(to);
+    } catch (const base::InputError&) {
+      if (Clock::now() >= end) throw;
+    }
+    if (!std::exchange(said, true)) notice("waiting for a program that listens at " + arguments.to);
+  }
+  return nullptr;
+}
+
 /// Sends rows, images or both, on one clock.
 Played playBoth(const PlayArguments& arguments, const std::optional<RowPlay>& rows,
                 const std::optional<ImagePlay>& images, const recording::MeasuredTable& table,
@@ -104,6 +126,8 @@ Played playBoth(const PlayArguments& arguments, const std::optional<RowPlay>& ro
   }
   std::optional<recording::SessionSource> pairs;
   if (images) pairs.emplace(arguments.file);
+  auto receiver = rows ? waitForReceiver(rows->to, arguments, progress) : nullptr;
+  if (rows && !receiver) return {};
   const live::PlayClock clock{.begin = table.t.front(), .speed = arguments.speed};
   std::future<live::ImagePlayReport> served;
   if (images)
@@ -112,10 +136,10 @@ Played playBoth(const PlayArguments& arguments, const std::optional<RowPlay>& ro
   Played played;
   played.started = clock.started;
   try {
-    if (rows) {
+    if (receiver) {
       live::PlayOptions options = rows->options;
       options.keep_on = images.has_value();
-      played.rows = live::playRows(table, rows->to, clock, options, &progress);
+      played.rows = live::playRows(table, std::move(receiver), clock, options, &progress);
     }
   } catch (...) {
     progress.cancel();  // the images end, too
@@ -128,15 +152,17 @@ Played playBoth(const PlayArguments& arguments, const std::optional<RowPlay>& ro
 /// Waits until the receiver has subscribed: to the motors, and to the images where --wait-for-images says so;
 /// else these get a moment, since a receiver that wants them subscribes to all topics at once. False: the
 /// user has cancelled. Throws base::InputError where nobody has subscribed.
-bool waitForReceiver(const live::RosPlayer& player, bool images, bool wait_for_images,
-                     base::Progress& progress) {
+bool waitForSubscribers(const live::RosPlayer& player, bool images, const PlayArguments& arguments,
+                        base::Progress& progress) {
   using Topics = live::RosPlayer::Topics;
-  constexpr std::chrono::seconds kPatience{30}, kMoment{1};
+  const bool wait_for_images = arguments.wait_for_images;
+  const std::chrono::milliseconds patience(std::llround(1e3 * arguments.wait));
+  constexpr std::chrono::seconds kMoment{1};
   const auto wait = [&](Topics topics, const char* what) {
-    if (player.waitForSubscribers(topics, kPatience, &progress)) return true;
+    if (player.waitForSubscribers(topics, patience, &progress)) return true;
     if (progress.cancelled()) return false;
     refuseOption("--to", kRos,
-                 fmt::format("has no subscriber of {} after {} s; topics: {}", what, kPatience.count(),
+                 fmt::format("has no subscriber of {} after {} s; topics: {}", what, arguments.wait,
                              player.words()),
                  "Start the receiver first, for example: capstan-cli track --live resources/live/ros.yaml");
   };
@@ -159,7 +185,7 @@ Played playRos(const PlayArguments& arguments, RecordingFormat format, const Row
   const auto motors = open(Notices::kSaid), cameras = open(Notices::kQuiet);
   live::RosPlayer player(motors->info());
   const bool images = motors->info().rig.has_value();
-  if (!waitForReceiver(player, images, arguments.wait_for_images, progress)) return {};
+  if (!waitForSubscribers(player, images, arguments, progress)) return {};
   const live::PlayClock clock{.begin = motors->info().begin, .speed = arguments.speed};
   std::future<live::ImagePlayReport> shown;
   if (images)
@@ -188,14 +214,18 @@ std::uint64_t pairsOf(const std::string& file, const live::ImagePlayReport& play
   return static_cast<std::uint64_t>(recording::readSessionSummary(file).frames);
 }
 
+std::string wordsOf(const live::PlayReport& report, std::size_t rows, const std::string& to) {
+  std::string text = fmt::format("{} of {} rows sent to {} in {:.2f} s; {} withheld by faults; {} connection{}",
+                                 report.sent, rows, to, report.seconds, report.withheld, report.connections,
+                                 report.connections == 1 ? "" : "s");
+  if (report.lost > 0) text += fmt::format("; {} not sent while nobody listened", report.lost);
+  return text + "\n";
+}
+
 void say(const PlayArguments& arguments, const Output& output, std::size_t rows, const Played& played) {
   nlohmann::json json;
   if (const auto& report = played.rows) {
-    output.text(fmt::format(
-        "{} of {} rows sent to {} in {:.2f} s; {} withheld by faults; {} lost while nobody listened; {} "
-        "connection{}\n",
-        report->sent, rows, arguments.to, report->seconds, report->withheld, report->lost,
-        report->connections, report->connections == 1 ? "" : "s"));
+    output.text(wordsOf(*report, rows, arguments.to));
     json = {{"rows", rows},
             {"sent", report->sent},
             {"withheld", report->withheld},
@@ -251,11 +281,14 @@ void addPlay(CLI::App& app, ExitCode& exit) {
       app.add_subcommand("play", "Send a recording in real time, as a robot would, with faults on request");
   command->add_option("FILE", arguments->file, recording::recordingKinds())->required();
   command->add_option("--to", arguments->to,
-                      "receiver of the rows, as in tcp://127.0.0.1:5555; it must listen already;\n"
+                      "receiver of the rows, as in tcp://127.0.0.1:5555;\n"
                       "ros: topics of a ROS 1 system, with the images");
   command->add_option("--video", arguments->video,
                       "serve the images of a session (Motion JPEG), as in http://127.0.0.1:8081; they go on\n"
                       "while nobody takes the rows, which are tried again every 0.5 s");
+  command->add_option("--wait", arguments->wait, "how long to wait for the receiver before the begin [s]")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 86400.0));
   command->add_flag(
       "--wait-for-images", arguments->wait_for_images,
       "with --to ros: begin when somebody subscribes to both images, too, not to the motors alone");

@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/live/cameras/http_images.h"
+#include "core/live/cameras/http_url.h"
 #include "core/live/streams/address.h"
 #include "core/live/topic_hint.h"
 #include "core/ros1/bag_topics.h"
@@ -32,12 +33,13 @@ std::array<cv::Mat, 2> eyesOf(const cv::Mat& both, CameraLayout layout) {
 
 /// Whether the streams have stamps of two computers. ROS topics have synchronised clocks, or simulated time.
 bool mayDiffer(const std::vector<std::string>& addresses) {
-  const auto server = [](const std::string& address) {
-    const std::size_t host = address.find("://") + 3;
-    return address.substr(host, address.find_first_of("/?", host) - host);
-  };
-  return addresses.size() == 2 && std::ranges::all_of(addresses, isHttpAddress) &&
-         server(addresses[0]) != server(addresses[1]);
+  if (addresses.size() != 2 || !std::ranges::all_of(addresses, isHttpAddress)) return false;
+  const HttpUrl left = parseHttpUrl(addresses[0]), right = parseHttpUrl(addresses[1]);
+  return left.host != right.host || left.port != right.port;
+}
+
+std::string joined(const std::array<std::string, 2>& reasons) {
+  return reasons[0] + (reasons[0].empty() || reasons[1].empty() ? "" : "; ") + reasons[1];
 }
 
 VideoSettings settingsOf(const CamerasSetup& setup) {
@@ -79,6 +81,10 @@ tracking::SideStatus CameraSide::status() const {
   if (status.state == State::kReceiving) judge(status);
   status.unpaired = pairer_.unpaired(), status.frozen = pairer_.frozen();
   status.dropped += pairer_.dropped();
+  if (status.part.empty())
+    status.reason = joined(reasons_);
+  else
+    status.reason = reasons_[status.part == "left" ? 0 : 1];
   return status;
 }
 
@@ -108,8 +114,7 @@ void CameraSide::work(int stream) {
       if (!video) video = std::make_unique<VideoStream>(address, settingsOf(setup_));
       readStream(stream, *video);
     } catch (const std::exception& error) {
-      const std::lock_guard lock(mutex_);
-      status_.fault = error.what();
+      noteReason(stream, error.what());
     }
     if (video && video->isFile()) return;  // it has been played
     video.reset();
@@ -165,11 +170,7 @@ std::uint64_t CameraSide::catchUp(VideoStream& video) const {
 }
 
 void CameraSide::readStream(int stream, VideoStream& video) {
-  {
-    const std::lock_guard lock(mutex_);
-    ++status_.connections;
-    status_.fault.clear();
-  }
+  noteConnections(stream, 1);
   if (video.isFile()) waitForSession();
   cv::Mat image;
   std::uint64_t passed_over = 0;
@@ -183,13 +184,25 @@ void CameraSide::readStream(int stream, VideoStream& video) {
     take(stream, image, times, video.lost() + std::exchange(passed_over, 0));
     image.release();  // the next one must not overwrite it
   }
+  const std::lock_guard lock(mutex_);
+  status_.dropped += passed_over;  // before the end of the file
 }
 
-void CameraSide::noteHint(TopicHint& hint) {
-  const std::optional<std::string> reason = hint.ask();
-  if (!reason || reason->empty()) return;
+void CameraSide::noteReason(int stream, std::string reason) {
   const std::lock_guard lock(mutex_);
-  status_.fault = *reason;
+  reasons_[static_cast<std::size_t>(stream)] = std::move(reason);
+}
+
+/// Something comes now.
+void CameraSide::noteConnections(int stream, std::uint64_t count) {
+  const std::lock_guard lock(mutex_);
+  status_.connections += count;
+  reasons_[static_cast<std::size_t>(stream)].clear();
+}
+
+void CameraSide::noteHint(int stream, TopicHint& hint) {
+  const std::optional<std::string> reason = hint.ask();
+  if (reason && !reason->empty()) noteReason(stream, *reason);
 }
 
 /// Until the end: a topic outlives its publishers.
@@ -201,20 +214,15 @@ void CameraSide::workOnTopic(int stream, const std::string& topic) {
   while (!quit_) {
     const auto message = reader.next(kWait);
     if (!message) {
-      if (connections == 0) noteHint(hint);
+      if (connections == 0) noteHint(stream, hint);
       continue;
     }
     try {
       const ros1::StampedImage image = ros1::imageOf(*message);
-      {
-        const std::lock_guard lock(mutex_);
-        status_.connections += reader.connections() - std::exchange(connections, reader.connections());
-        status_.fault.clear();
-      }
+      noteConnections(stream, reader.connections() - std::exchange(connections, reader.connections()));
       take(stream, image.image, {image.stamp, message->arrival}, message->lost);
     } catch (const base::InputError& error) {
-      const std::lock_guard lock(mutex_);
-      status_.fault = "ros:" + topic + ": " + error.what();
+      noteReason(stream, "ros:" + topic + ": " + error.what());
     }
   }
 }
@@ -231,9 +239,10 @@ CameraSide::Clock::time_point CameraSide::computerTime(double pairing_time) cons
                       std::chrono::duration<double>(clock_.computerTime(pairing_time)));
 }
 
-/// Time of a stamp on this computer's clock, if it is since 1970 on a clock that agrees with this computer's.
-std::optional<CameraSide::Clock::time_point> CameraSide::timeOfStamp(std::int64_t stamp,
-                                                                     Clock::time_point by_arrival) {
+/// Adds a stamp to what is known of its clock. Returns its time on this computer's clock, if it is since 1970
+/// on a clock that agrees with this computer's.
+std::optional<CameraSide::Clock::time_point> CameraSide::observeStamp(std::int64_t stamp,
+                                                                      Clock::time_point by_arrival) {
   using Nanoseconds = std::chrono::nanoseconds;
   constexpr std::chrono::milliseconds kStep{100};
   const Nanoseconds since = std::chrono::system_clock::now().time_since_epoch() -
@@ -250,19 +259,23 @@ std::optional<CameraSide::Clock::time_point> CameraSide::timeOfStamp(std::int64_
 /// Time of a pair on the session's clock [s]. Stamps tell it where they are by the clock of the motors'
 /// stamps or of this computer, and the arrivals only show whether the clocks agree: by them an image is later
 /// by its delay.
-std::optional<double> CameraSide::exposureOf(const FramePair& pair) {
-  if (files_) return pair.t;
+std::optional<double> CameraSide::observeExposure(const FramePair& pair) {
+  using Times = tracking::SideStatus::Times;
+  if (files_) return status_.times = Times::kFile, pair.t;
+  status_.times = Times::kArrivals;
   const Clock::time_point arrival = computerTime(pair.t);
   const std::optional<double> by_arrival = session_.at(arrival);
   const std::optional<std::int64_t> stamp = clock_.stampOf(pair.t);
   if (!stamp || !by_arrival) return by_arrival;
-  const std::optional<Clock::time_point> on_computer = timeOfStamp(*stamp, arrival);
+  const std::optional<Clock::time_point> on_computer = observeStamp(*stamp, arrival);
   const std::optional<double> by_stamp = session_.of_stamp ? session_.of_stamp(*stamp) : std::nullopt;
   if (!by_stamp)
     with_motors_.forget();
   else if (with_motors_.add(*by_arrival - *by_stamp, clock_.steps(), *by_arrival))
-    return by_stamp;
-  return on_computer ? session_.at(*on_computer) : by_arrival;
+    return status_.times = Times::kStamps, by_stamp;
+  if (!on_computer) return by_arrival;
+  status_.times = Times::kStamps;
+  return session_.at(*on_computer);
 }
 
 void CameraSide::take(int stream, const cv::Mat& image, const Times& times, std::uint64_t lost) {
@@ -291,7 +304,7 @@ void CameraSide::take(int stream, const cv::Mat& image, const Times& times, std:
 }
 
 void CameraSide::pass(FramePair pair, Clock::time_point arrival) {
-  const std::optional<double> now = session_.at(arrival), seen = exposureOf(pair);
+  const std::optional<double> now = session_.at(arrival), seen = observeExposure(pair);
   if (!now || !seen) return;
   const double t = *seen - setup_.latency;
   gaps_.add(t);

@@ -56,7 +56,9 @@ class CameraSide {
  private:
   void work(int stream);
   void workOnTopic(int stream, const std::string& topic);
-  void noteHint(TopicHint& hint);
+  void noteHint(int stream, TopicHint& hint);
+  void noteReason(int stream, std::string reason);
+  void noteConnections(int stream, std::uint64_t count);
   void readStream(int stream, VideoStream& video);
   /// When an image came. A stamp is by the clock of the device.
   struct Times {
@@ -68,8 +70,8 @@ class CameraSide {
   void take(int stream, const cv::Mat& image, const Times& times, std::uint64_t lost);
   double pairingTime(int stream, const Times& times);
   Clock::time_point computerTime(double pairing_time) const;
-  std::optional<Clock::time_point> timeOfStamp(std::int64_t stamp, Clock::time_point by_arrival);
-  std::optional<double> exposureOf(const FramePair& pair);
+  std::optional<Clock::time_point> observeStamp(std::int64_t stamp, Clock::time_point by_arrival);
+  std::optional<double> observeExposure(const FramePair& pair);
   void pass(FramePair pair, Clock::time_point arrival);
   void waitToReopen() const;
   void waitForSession() const;
@@ -94,7 +96,8 @@ class CameraSide {
   struct Newest {
     Clock::time_point image, change;  ///< arrival of the newest image, and of the newest that was not frozen
   };
-  std::array<Newest, 2> newest_;  ///< by stream
+  std::array<Newest, 2> newest_;        ///< by stream
+  std::array<std::string, 2> reasons_;  ///< why nothing comes from a stream; empty: not known
   ImageClock clock_;
   ClockAgreement with_motors_, with_computer_;  ///< of the stamps of the images
   std::chrono::nanoseconds computer_since_{0};  ///< beginning of this computer's steady clock since 1970

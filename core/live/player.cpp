@@ -8,7 +8,6 @@
 #include <tuple>
 
 #include "core/base/error.h"
-#include "core/live/streams/tcp_sender.h"
 
 namespace capstan::live {
 namespace {
@@ -19,8 +18,8 @@ constexpr const char* kGarbage = "garbage\n";
 /// Connection that is made again when the receiver has ended it.
 class Connection {
  public:
-  Connection(const Address& to, std::string header, PlayReport& report)
-      : to_(to), header_(std::move(header)), report_(report), sender_(std::make_unique<TcpSender>(to)) {
+  Connection(std::unique_ptr<TcpSender> sender, std::string header, PlayReport& report)
+      : to_(sender->address()), header_(std::move(header)), report_(report), sender_(std::move(sender)) {
     sender_->send(header_);
   }
   /// False: nobody listens now.
@@ -75,10 +74,10 @@ std::int64_t PlayClock::stampOf(double t) const {
   return static_cast<std::int64_t>(std::llround(1e9 * (started + (speed > 0.0 ? (t - begin) / speed : 0.0))));
 }
 
-PlayReport playRows(const recording::MeasuredTable& table, const Address& to, const PlayClock& clock,
-                    const PlayOptions& options, base::Progress* progress) {
+PlayReport playRows(const recording::MeasuredTable& table, std::unique_ptr<TcpSender> receiver,
+                    const PlayClock& clock, const PlayOptions& options, base::Progress* progress) {
   PlayReport report;
-  Connection connection(to, recording::measuredTableHeader(table), report);
+  Connection connection(std::move(receiver), recording::measuredTableHeader(table), report);
   FaultyRows rows(options.faults, options.seed);
   recording::MeasuredTable stamped = table;
   const Clock::time_point start = Clock::now();

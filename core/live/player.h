@@ -1,12 +1,13 @@
 #pragma once
 
 #include <chrono>
+#include <memory>
 #include <vector>
 
 #include "core/base/progress.h"
 #include "core/live/cameras/image_server.h"
 #include "core/live/play_faults.h"
-#include "core/live/streams/address.h"
+#include "core/live/streams/tcp_sender.h"
 #include "core/recording/measured_table.h"
 #include "core/tracking/source.h"
 
@@ -44,11 +45,10 @@ struct PlayReport {
   bool refused = false;  ///< the receiver had disconnected, and could not be reached again, at the end
 };
 
-/// Sends the rows of a recording to the program that listens at `to`, in real time, as a robot would. After a
-/// disconnection it connects again, and sends the header line again. Throws base::InputError where nothing
-/// listens.
-PlayReport playRows(const recording::MeasuredTable& table, const Address& to, const PlayClock& clock,
-                    const PlayOptions& options, base::Progress* progress);
+/// Sends the rows of a recording to a receiver in real time, as a robot would. After a disconnection it
+/// connects again, and sends the header line again.
+PlayReport playRows(const recording::MeasuredTable& table, std::unique_ptr<TcpSender> receiver,
+                    const PlayClock& clock, const PlayOptions& options, base::Progress* progress);
 
 struct ImagePlayReport {
   static constexpr double kOverdue = 0.1;  // [s]

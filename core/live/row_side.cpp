@@ -108,7 +108,7 @@ void RowSide::noteHint() {
   const std::optional<std::string> hint = input_->hint();
   if (!hint) return;
   const std::lock_guard lock(mutex_);
-  status_.fault = *hint;
+  status_.reason = *hint;
 }
 
 void RowSide::begin(bool replaced) {
@@ -118,6 +118,7 @@ void RowSide::begin(bool replaced) {
   ++status_.connections;
   status_.state = State::kWaiting;
   status_.connected = true;
+  status_.reason.clear();
   if (!replaced) return;
   ++status_.refused;
   status_.fault = fmt::format("{}: a program without a valid row for {} s gave way to another one",
@@ -196,6 +197,7 @@ void RowSide::deliver(recording::MeasuredTable table, double arrival) {
   if (status_.received == 0) begin_ = table.t.front();
   newest_ = table.t.back();
   status_.state = State::kReceiving;
+  status_.reason.clear();
   status_.received += table.rows();
   status_.dropped += dropped;
   status_.repeated = times_.repeated();

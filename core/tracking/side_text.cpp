@@ -11,11 +11,9 @@ std::string counted(std::uint64_t count, const std::string& one) {
   return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
 }
 
-}  // namespace
+std::string because(const SideStatus& side) { return side.reason.empty() ? "" : ": " + side.reason; }
 
-bool waitsForAReason(const SideStatus& side) {
-  return side.state == State::kWaiting && side.received == 0 && side.refused == 0 && !side.fault.empty();
-}
+}  // namespace
 
 bool needsAttention(const SideStatus& side) {
   return side.state == State::kSilent || side.state == State::kFrozen || side.state == State::kRefused ||
@@ -26,12 +24,11 @@ std::string shortTextOf(const SideStatus& side) {
   switch (side.state) {
     case State::kWaiting:
       if (side.connected) return fmt::format("{}: connected at {}, no valid row yet", side.name, side.from);
-      return fmt::format("{}: waiting at {}{}", side.name, side.from,
-                         waitsForAReason(side) ? ": " + side.fault : std::string());
+      return fmt::format("{}: waiting at {}{}", side.name, side.from, because(side));
     case State::kSilent:
     case State::kFrozen:
-      return fmt::format("{} {} for {:.1f} s", side.part.empty() ? side.name : side.part + " camera",
-                         base::nameOf(side.state), side.silent_for);
+      return fmt::format("{} {} for {:.1f} s{}", side.part.empty() ? side.name : side.part + " camera",
+                         base::nameOf(side.state), side.silent_for, because(side));
     case State::kRefused:
       return fmt::format("{} refused: {}", side.name, side.fault);
     case State::kEnded:
@@ -57,10 +54,12 @@ std::string textOf(const SideStatus& side) {
   if (side.latency)
     text += fmt::format("; arrival to estimate {:.2f} ms, 99 % within {:.2f} ms", 1e3 * side.latency->median,
                         1e3 * side.latency->p99);
+  if (side.times) text += fmt::format("; times by {}", base::nameOf(*side.times));
   if (side.unpaired + side.frozen > 0)
     text += fmt::format("; {} unpaired, {} frozen", side.unpaired, side.frozen);
   if (side.refused > 0) text += fmt::format("; {} refused", side.refused);
   if (!side.fault.empty()) text += "; last fault: " + side.fault;
+  if (!side.reason.empty()) text += "; nothing comes: " + side.reason;
   return text;
 }
 

@@ -8,8 +8,6 @@ namespace capstan::tracking {
 
 /// Whether a person has to act: a side of a live source is silent, was refused, or has ended.
 bool needsAttention(const SideStatus& side);
-/// Whether nothing has come since the begin, and the reason is known.
-bool waitsForAReason(const SideStatus& side);
 /// A few words for a status line, as "motors silent for 2.1 s"; empty while all is well.
 std::string shortTextOf(const SideStatus& side);
 /// One line with all that is known: counts, clock, delay.

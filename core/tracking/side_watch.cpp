@@ -17,8 +17,8 @@ std::string sentenceOf(const SideStatus& side, double silent_for) {
     return silent_for > 0.0 ? fmt::format("{} receiving again after {:.1f} s", side.name, silent_for)
                             : side.name + " receiving";
   if (side.state == State::kSilent || side.state == State::kFrozen)
-    return fmt::format("{} {}", side.part.empty() ? side.name : side.part + " camera",
-                       base::nameOf(side.state));
+    return fmt::format("{} {}{}", side.part.empty() ? side.name : side.part + " camera",
+                       base::nameOf(side.state), side.reason.empty() ? "" : ": " + side.reason);
   return shortTextOf(side);
 }
 
@@ -36,14 +36,15 @@ std::vector<std::string> SideWatch::observe(const std::vector<SideStatus>& sides
     if (side.refused > seen.refused && (side.state != State::kRefused || seen.state == State::kRefused) &&
         !again)
       sentences.push_back(fmt::format("{} refused: {}", side.name, side.fault));
-    const bool new_reason = waitsForAReason(side) && side.fault != seen.fault;
+    const bool nothing_comes = side.state == State::kWaiting || side.state == State::kSilent;
+    const bool new_reason = nothing_comes && !side.reason.empty() && side.reason != seen.reason;
     if (side.state != seen.state || side.part != seen.part || new_reason)
       sentences.push_back(sentenceOf(side, seen.received > 0 ? seen.silent_for : 0.0));
     if (side.clock && side.clock->steps > seen.steps)
       sentences.push_back(fmt::format("{}: clock stepped by {:+.3f} s", side.name, side.clock->last_step));
     seen.silent_for = side.state == State::kReceiving ? 0.0 : std::max(seen.silent_for, side.silent_for);
     seen.state = side.state, seen.part = side.part, seen.received = side.received;
-    seen.refused = side.refused, seen.fault = side.fault;
+    seen.refused = side.refused, seen.fault = side.fault, seen.reason = side.reason;
     seen.steps = side.clock ? side.clock->steps : 0;
   }
   return sentences;

@@ -17,7 +17,7 @@ class SideWatch {
  private:
   struct Seen {
     SideStatus::State state = SideStatus::State::kWaiting;
-    std::string part, fault;
+    std::string part, fault, reason;
     std::uint64_t steps = 0, received = 0, refused = 0;
     double silent_for = 0.0;  ///< longest time in the present silence [s]
   };

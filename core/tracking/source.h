@@ -60,7 +60,8 @@ struct SideStatus {
   State state = State::kWaiting;  ///< kSilent: nothing for kSilence; kFrozen: only equal images for that
                                   ///< time; kRefused: `fault` disconnected it
   bool connected = false;         ///< kWaiting: a program is connected, and no valid row has come from it
-  std::string fault;              ///< reason of the last disconnection by this program; empty: none
+  std::string fault;              ///< why this program disconnected another one last; empty: never
+  std::string reason;             ///< why nothing comes now; empty: not known, or something comes
   double silent_for = 0.0;        ///< time since the last sample, or the last new image [s]
   std::uint64_t received = 0;     ///< number taken
   std::uint64_t repeated = 0;     ///< excluded, since their stamps did not rise
@@ -70,6 +71,9 @@ struct SideStatus {
   std::uint64_t frozen = 0;       ///< images that equal the one before; their pairs are excluded
   std::uint64_t connections = 0;  ///< number of times that a program has connected
   std::uint64_t refused = 0;      ///< of them, disconnected for `fault`
+  /// By what the times of images are known.
+  enum class Times { kStamps, kArrivals, kFile };
+  std::optional<Times> times;      ///< of the newest images; none: no image so far, or the side has no images
   std::optional<SideClock> clock;  ///< of a device that stamps its samples itself
   std::optional<SideLatency> latency;
   /// Shown within 0.5 s, since views ask every 0.1 s [s].
@@ -106,4 +110,11 @@ struct capstan::base::NamesOf<capstan::tracking::SideStatus::State> {
       std::pair{S::kWaiting, "waiting"}, std::pair{S::kReceiving, "receiving"},
       std::pair{S::kSilent, "silent"},   std::pair{S::kFrozen, "frozen"},
       std::pair{S::kRefused, "refused"}, std::pair{S::kEnded, "ended"}};
+};
+
+template <>
+struct capstan::base::NamesOf<capstan::tracking::SideStatus::Times> {
+  using T = capstan::tracking::SideStatus::Times;
+  static constexpr std::array value = {std::pair{T::kStamps, "stamps"}, std::pair{T::kArrivals, "arrivals"},
+                                       std::pair{T::kFile, "the file"}};
 };

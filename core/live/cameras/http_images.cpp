@@ -4,7 +4,6 @@
 #include <httplib.h>
 
 #include <atomic>
-#include <charconv>
 #include <condition_variable>
 #include <deque>
 #include <functional>
@@ -14,46 +13,16 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/live/cameras/http_url.h"
 
 namespace capstan::live {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr std::string_view kScheme = "http://";
 constexpr int kOk = 200, kUnauthorized = 401, kFirstError = 400;
 
 [[noreturn]] void refuse(const std::string& address, std::string reason, std::string remedy) {
   throw base::InputError({address, 0, {}, {}, std::move(reason), std::move(remedy)});
-}
-
-struct Url {
-  std::string user, password, host, path;
-  int port = 80;
-};
-
-/// Parts of "http://[USER:PASSWORD@]HOST[:PORT][/PATH]"; HOST may be an IPv6 address in brackets.
-Url parseUrl(const std::string& address) {
-  Url url;
-  std::string_view rest = std::string_view(address).substr(kScheme.size());
-  const std::size_t slash = std::min(rest.find_first_of("/?"), rest.size());
-  url.path = rest.substr(slash);
-  if (!url.path.starts_with('/')) url.path.insert(0, "/");
-  rest = rest.substr(0, slash);
-  if (const std::size_t at = rest.rfind('@'); at != std::string_view::npos) {
-    const std::size_t colon = std::min(rest.find(':'), at);
-    url.user = rest.substr(0, colon);
-    if (colon < at) url.password = rest.substr(colon + 1, at - colon - 1);
-    rest = rest.substr(at + 1);
-  }
-  const std::size_t bracket = rest.starts_with('[') ? rest.find(']') : 0;
-  const std::size_t colon = bracket == std::string_view::npos ? bracket : rest.find(':', bracket);
-  url.host = rest.substr(bracket > 0 ? 1 : 0, bracket > 0 ? bracket - 1 : colon);
-  const std::string_view port = colon < rest.size() ? rest.substr(colon + 1) : "80";
-  const auto [end, error] = std::from_chars(port.data(), port.data() + port.size(), url.port);
-  if (url.host.empty() || error != std::errc() || end != port.data() + port.size() || url.port < 1 ||
-      url.port > 65535)
-    refuse(address, "not an address of the form http://HOST:PORT/PATH", "Correct the address");
-  return url;
 }
 
 }  // namespace
@@ -61,7 +30,7 @@ Url parseUrl(const std::string& address) {
 class HttpImages::Reader {
  public:
   explicit Reader(const std::string& address, std::chrono::milliseconds patience)
-      : address_(address), url_(parseUrl(address)), client_(url_.host, url_.port) {
+      : address_(address), url_(parseHttpUrl(address)), client_(url_.host, url_.port) {
     client_.set_connection_timeout(patience);
     client_.set_read_timeout(patience);
     client_.set_follow_location(true);
@@ -75,13 +44,14 @@ class HttpImages::Reader {
     thread_.join();
   }
 
-  enum class Kind { kUnknown, kMotionJpeg, kOther };
-  /// Waits for the first image, or for the end.
-  Kind waitForKind(std::chrono::milliseconds patience) {
+  /// Waits for the first image. What comes instead throws base::InputError, or is said in words: "the server
+  /// sends text/html".
+  std::string waitForImage(std::chrono::milliseconds patience) {
     std::unique_lock lock(mutex_);
-    changed_.wait_for(lock, patience, [&] { return kind_ != Kind::kUnknown || ended_; });
-    if (kind_ == Kind::kUnknown && fault_) std::rethrow_exception(fault_);
-    return kind_;
+    changed_.wait_for(lock, patience, [&] { return begun_ || ended_; });
+    if (begun_ || !other_.empty()) return other_;
+    if (fault_) std::rethrow_exception(fault_);
+    refuse(address_, "the server sends no image", "Check that the camera runs");
   }
   bool next(JpegPart& part, std::uint64_t& lost, std::chrono::milliseconds patience) {
     std::unique_lock lock(mutex_);
@@ -117,7 +87,7 @@ class HttpImages::Reader {
       keepFault([&]() -> bool {
         refuse(address_, "no server answers there", "Start the camera's server, or correct the address");
       });
-    end(answered_ && !multipart_ && !parser_.begun());
+    end();
   }
   bool take(std::string_view bytes) {
     parser_.add(bytes, Clock::now(), [&](JpegPart&& part) { keep(std::move(part)); });
@@ -126,46 +96,50 @@ class HttpImages::Reader {
   /// Streams whose type says nothing (ffmpeg's) are looked at.
   bool accept(const httplib::Response& response) {
     answered_ = true;
+    otherwise_.clear();
     const std::string type = response.get_header_value("Content-Type");
-    multipart_ = type.starts_with("multipart/");
     const bool unknown = type.empty() || type.starts_with("application/octet-stream");
-    if (response.status >= kFirstError && response.status != kUnauthorized) {
-      multipart_ = true;  // what is said of it is final
+    if (response.status >= kFirstError && response.status != kUnauthorized)
       refuse(address_, fmt::format("the server answers {} {}", response.status, response.reason),
              "Correct the path of the address, or look at the server's own messages");
-    }
-    return response.status == kOk && (multipart_ || unknown);
+    if (response.status == kUnauthorized)
+      otherwise_ = "the server asks for a user name and a password (http://USER:PASSWORD@HOST/PATH)";
+    else if (!type.starts_with("multipart/"))
+      otherwise_ = "the server sends " + (type.empty() ? "something of no stated type" : type);
+    return response.status == kOk && (otherwise_.empty() || unknown);
   }
   void keep(JpegPart&& part) {
     {
       const std::lock_guard lock(mutex_);
-      kind_ = Kind::kMotionJpeg;
+      begun_ = true;
       if (parts_.size() == kWaiting) parts_.pop_front(), ++lost_;
       parts_.push_back(std::move(part));
     }
     changed_.notify_all();
   }
-  void end(bool other) {
+  void end() {
     {
       const std::lock_guard lock(mutex_);
       fault_ = met_;
-      if (other) kind_ = Kind::kOther;
+      if (!parser_.begun()) other_ = otherwise_;
       ended_ = true;
     }
     changed_.notify_all();
   }
 
   const std::string address_;
-  const Url url_;
+  const HttpUrl url_;
   httplib::Client client_;
-  MultipartParser parser_;                     ///< of the thread, as the next three
-  std::exception_ptr met_;                     ///< fault of the stream
-  bool answered_ = false, multipart_ = false;  ///< multipart_: the server says so
+  MultipartParser parser_;   ///< of the thread, as the next three
+  std::exception_ptr met_;   ///< fault of the stream
+  bool answered_ = false;
+  std::string otherwise_;    ///< what the server sends unless images follow; empty: it promises images
   std::atomic<bool> quit_{false};
 
   std::mutex mutex_;  ///< protects the members below
   std::condition_variable changed_;
-  Kind kind_ = Kind::kUnknown;
+  bool begun_ = false;  ///< an image has come
+  std::string other_;   ///< what has come instead; empty: images, or it is not known yet
   std::deque<JpegPart> parts_;
   std::uint64_t lost_ = 0;  ///< dropped since the last image that next() returned
   std::exception_ptr fault_;
@@ -174,13 +148,11 @@ class HttpImages::Reader {
   std::thread thread_;
 };
 
-std::unique_ptr<HttpImages> HttpImages::open(const std::string& address, std::chrono::milliseconds patience) {
+HttpImages::Opened HttpImages::open(const std::string& address, std::chrono::milliseconds patience) {
   auto reader = std::make_unique<Reader>(address, patience);
-  const Reader::Kind kind = reader->waitForKind(patience);
-  if (kind == Reader::Kind::kOther) return nullptr;
-  if (kind == Reader::Kind::kUnknown)
-    refuse(address, "the server sends no image", "Check that the camera runs");
-  return std::unique_ptr<HttpImages>(new HttpImages(std::move(reader)));
+  std::string other = reader->waitForImage(patience);
+  if (!other.empty()) return {nullptr, std::move(other)};
+  return {std::unique_ptr<HttpImages>(new HttpImages(std::move(reader))), {}};
 }
 
 HttpImages::HttpImages(std::unique_ptr<Reader> reader) : reader_(std::move(reader)) {}
@@ -189,7 +161,5 @@ HttpImages::~HttpImages() = default;
 bool HttpImages::next(JpegPart& part, std::chrono::milliseconds patience) {
   return reader_->next(part, lost_, patience);
 }
-
-bool isHttpAddress(const std::string& address) { return address.starts_with(kScheme); }
 
 }  // namespace capstan::live

@@ -13,9 +13,13 @@ namespace capstan::live {
 /// thread of their own, so that the time of arrival does not depend on when next() is called.
 class HttpImages {
  public:
-  /// Connects, and waits up to `patience` for the first image. Null: what answers is no Motion JPEG. Throws
-  /// base::InputError with the reason where nothing answers, or the answer is an error.
-  static std::unique_ptr<HttpImages> open(const std::string& address, std::chrono::milliseconds patience);
+  struct Opened {
+    std::unique_ptr<HttpImages> images;  ///< null: what answers is no Motion JPEG
+    std::string other;                   ///< then what it is: "the server sends text/html"
+  };
+  /// Connects, and waits up to `patience` for the first image. Throws base::InputError with the reason where
+  /// nothing answers, or the answer is an error.
+  static Opened open(const std::string& address, std::chrono::milliseconds patience);
   ~HttpImages();
 
   /// Waits for the next image. False: the stream has ended or gives none for `patience`. Throws
@@ -32,8 +36,5 @@ class HttpImages {
   std::unique_ptr<Reader> reader_;
   std::uint64_t lost_ = 0;
 };
-
-/// Whether `address` is one that HttpImages can open: "http://…".
-bool isHttpAddress(const std::string& address);
 
 }  // namespace capstan::live

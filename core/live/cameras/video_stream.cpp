@@ -9,6 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/live/cameras/http_images.h"
+#include "core/live/cameras/http_url.h"
 
 namespace capstan::live {
 namespace {
@@ -51,8 +52,13 @@ class VideoStream::Impl {
  public:
   Impl(const std::string& from, const VideoSettings& settings)
       : file_(std::filesystem::is_regular_file(from)) {
-    if (isHttpAddress(from)) http_ = HttpImages::open(from, kOpening);
-    if (http_) return;
+    std::string reason = "cannot be opened as a camera or video";
+    if (isHttpAddress(from)) {
+      HttpImages::Opened opened = HttpImages::open(from, kOpening);
+      http_ = std::move(opened.images);
+      if (http_) return;
+      reason += ": " + opened.other;
+    }
     const bool network = isNetworkStream(from);
     const int open = static_cast<int>(kOpening.count()), wait = static_cast<int>(kPatience.count());
     device_ = !network && !file_;
@@ -68,7 +74,7 @@ class VideoStream::Impl {
                               0,
                               {},
                               {},
-                              "cannot be opened as a camera or video",
+                              std::move(reason),
                               "Check the device, address or file, and that no other program uses it"});
     if (!file_) apply(capture_, settings);
     jpeg_ = network && givesJpeg(capture_) && capture_.set(cv::CAP_PROP_FORMAT, -1.0);

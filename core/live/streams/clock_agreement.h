@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/live/streams/clock_map.h"
+
 namespace capstan::live {
 
 /// Decides whether the stamps of images and those of motor samples are by one clock. Both are mapped to this
@@ -19,7 +21,7 @@ class ClockAgreement {
 
   static constexpr double kEarliest = -0.02, kLatest = 0.25;  ///< lateness with one clock [s]
   static constexpr int kPairs = 20;                           ///< 1 s of 20 pairs/s
-  static constexpr double kDrift = 1e-4;                      ///< each clock within 50 ppm [s/s]
+  static constexpr double kDrift = ClockMap::kMostDrift;      ///< [s/s]
   static constexpr double kMargin = 0.1;                      ///< [s]
 
  private:

@@ -14,7 +14,8 @@
 
 namespace capstan::live {
 
-TcpSender::TcpSender(const Address& address) : socket_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
+TcpSender::TcpSender(const Address& address)
+    : address_(address), socket_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
   sockaddr_in to{};
   to.sin_family = AF_INET;
   to.sin_port = htons(address.port);

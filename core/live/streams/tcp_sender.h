@@ -16,8 +16,10 @@ class TcpSender {
   bool send(const std::string& bytes);
   /// What the receiver has sent so far, for example the reason of a refusal.
   std::string answer();
+  const Address& address() const { return address_; }  ///< of the receiver
 
  private:
+  const Address address_;
   FileDescriptor socket_;
 };
 

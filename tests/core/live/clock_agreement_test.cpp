@@ -52,6 +52,20 @@ TEST(ClockAgreement, LastsWhileEverythingIsLate) {
     }
 }
 
+/// A computer that is busy at the start: until the first image that is not late, one clock looks like two.
+TEST(ClockAgreement, IsSeenOnceAnImageIsNotLate) {
+  Session session;
+  session.images_late = [](double t) { return t < 2.0 ? 2.0 - t : 0.0; };
+  session.play(20.0, [](double t, bool agree) {
+    if (t < 1.7) {
+      ASSERT_FALSE(agree) << t;
+    }
+    if (t > 1.9) {
+      ASSERT_TRUE(agree) << t;
+    }
+  });
+}
+
 TEST(ClockAgreement, DifferentClocksAreRecognised) {
   for (const double offset : {3.0, -3.0, 0.3, -0.3}) {
     Session session;

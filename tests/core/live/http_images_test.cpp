@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "core/base/error.h"
+#include "core/live/cameras/http_url.h"
 #include "core/live/cameras/image_server.h"
 #include "core/live/cameras/video_stream.h"
 
@@ -69,7 +70,7 @@ TEST_F(HttpServer, MotionJpegIsRead) {
   answer("/images", "multipart/x-mixed-replace;boundary=b", body);
   answer("/ffmpeg", "application/octet-stream", body);  // its type says nothing
   for (const char* path : {"/images", "/ffmpeg"}) {
-    const auto images = HttpImages::open(at(path), 2s);
+    const auto images = HttpImages::open(at(path), 2s).images;
     ASSERT_TRUE(images) << path;
     JpegPart part;
     ASSERT_TRUE(images->next(part, 1s));
@@ -103,7 +104,7 @@ TEST_F(HttpServer, AReaderThatIsBehindLosesTheOldest) {
   for (int k = 0; k < kImages; ++k)
     body += "--b\r\nX-Timestamp: " + std::to_string(k + 1) + "\r\n\r\n" + jpegOf(k) + "\r\n";
   answer("/images", "multipart/x-mixed-replace;boundary=b", body + "--b--\r\n");
-  const auto images = HttpImages::open(at("/images"), 2s);
+  const auto images = HttpImages::open(at("/images"), 2s).images;
   ASSERT_TRUE(images);
   std::this_thread::sleep_for(300ms);
   JpegPart part;
@@ -116,10 +117,40 @@ TEST_F(HttpServer, WhatIsNoMotionJpegIsLeftToFfmpeg) {
   answer("/page", "text/html", "<html></html>");
   answer("/video", "video/mp4", std::string(100000, 'v'));
   answer("/unknown", "application/octet-stream", std::string(100000, 'v'));
-  for (const char* path : {"/page", "/video", "/unknown"}) {
-    EXPECT_FALSE(HttpImages::open(at(path), 2s)) << path;
-    EXPECT_THROW(VideoStream(at(path), {}), base::InputError) << path;
+  server_.Get("/secret",
+              [](const httplib::Request&, httplib::Response& response) { response.status = 401; });
+  for (const auto& [path, words] : {std::pair{"/page", "the server sends text/html"},
+                                    {"/video", "the server sends video/mp4"},
+                                    {"/unknown", "the server sends application/octet-stream"},
+                                    {"/secret", "USER:PASSWORD"}}) {
+    const HttpImages::Opened opened = HttpImages::open(at(path), 2s);
+    EXPECT_FALSE(opened.images) << path;
+    EXPECT_NE(opened.other.find(words), std::string::npos) << opened.other;
+    try {
+      const VideoStream stream(at(path), {});
+      ADD_FAILURE() << path << " was opened";
+    } catch (const base::InputError& error) {
+      EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+    }
   }
+}
+
+TEST(HttpUrl, PartsOfAnAddress) {
+  const HttpUrl all = parseHttpUrl("http://lab%40site:a%3Ab%25@[::1]:8081/left?action=stream");
+  EXPECT_EQ(all.user, "lab@site");
+  EXPECT_EQ(all.password, "a:b%");
+  EXPECT_EQ(all.host, "::1");
+  EXPECT_EQ(all.port, 8081);
+  EXPECT_EQ(all.path, "/left?action=stream");
+  const HttpUrl least = parseHttpUrl("http://camera");
+  EXPECT_EQ(least.host, "camera");
+  EXPECT_EQ(least.port, 80);
+  EXPECT_EQ(least.path, "/");
+  EXPECT_EQ(parseHttpUrl("http://camera?x").path, "/?x");
+  EXPECT_EQ(parseHttpUrl("http://u:100%@camera").password, "100%") << "not a character in %XX";
+  for (const char* wrong : {"http://", "http://:80/", "http://camera:0/", "http://camera:65536/", "http://camera:/",
+                            "http://camera:8o/", "http://[::1/"})
+    EXPECT_THROW(parseHttpUrl(wrong), base::InputError) << wrong;
 }
 
 TEST_F(HttpServer, FaultsNameTheReason) {
@@ -142,7 +173,7 @@ TEST_F(HttpServer, FollowsRedirectsAndSendsAPassword) {
     else
       response.status = 403;
   });
-  EXPECT_TRUE(HttpImages::open("http://user:secret@127.0.0.1:" + std::to_string(port_) + "/moved", 2s));
+  EXPECT_TRUE(HttpImages::open("http://user:secret@127.0.0.1:" + std::to_string(port_) + "/moved", 2s).images);
   EXPECT_NE(faultOf("/moved").find("403"), std::string::npos);
 }
 

@@ -45,6 +45,7 @@ recording::MeasuredTable movingTable(int rows, double begin = 0.0) {
 LiveSetup listening() { return liveSetupOf("tcp://127.0.0.1:0", {}, {}); }
 
 Address addressOf(const LiveSource& source) { return parseAddress(source.sides().front().from, "address"); }
+std::unique_ptr<TcpSender> receiverAt(const Address& address) { return std::make_unique<TcpSender>(address); }
 
 /// Waits until `done` or 5 s have passed.
 template <class Done>
@@ -62,7 +63,7 @@ TEST(LiveSource, GivesTheSamplesOfATable) {
   const recording::MeasuredTable table = movingTable(500);
   LiveSource source(listening());
   EXPECT_FALSE(source.ready(10ms));
-  const PlayReport report = playRows(table, addressOf(source), kAtOnce, {}, nullptr);
+  const PlayReport report = playRows(table, receiverAt(addressOf(source)), kAtOnce, {}, nullptr);
   EXPECT_EQ(report.sent, 500U);
   recording::TableSource direct(table, source.info().robot);
   tracking::Sample live, recorded;
@@ -121,7 +122,7 @@ TEST(LiveSource, RefusesAStrangerWithTheReason) {
   EXPECT_NE(answer.find("error: "), std::string::npos) << answer;
   EXPECT_EQ(source.sides().front().state, State::kRefused);
   EXPECT_TRUE(tracking::needsAttention(source.sides().front()));
-  playRows(movingTable(100), addressOf(source), kAtOnce, {}, nullptr);
+  playRows(movingTable(100), receiverAt(addressOf(source)), kAtOnce, {}, nullptr);
   EXPECT_TRUE(eventually([&] { return source.sides().front().received == 100; }))
       << "the robot may still come";
 }
@@ -232,7 +233,7 @@ TEST(LiveSource, ArrangesMotorsAndSigns) {
   std::swap(table.q_m[0], table.q_m[1]);
   for (const std::size_t column : {1U, 2U})
     for (double& position : table.q_m[column]) position = -position;
-  playRows(table, addressOf(source), kAtOnce, {}, nullptr);
+  playRows(table, receiverAt(addressOf(source)), kAtOnce, {}, nullptr);
   tracking::Sample sample;
   ASSERT_TRUE(source.ready(2s));
   ASSERT_TRUE(source.next(sample));
@@ -263,7 +264,7 @@ TEST(LiveSource, ColumnsThatAreNoReferenceAreNotUsed) {
     setup.motors.reference = reference;
     LiveSource source(setup);
     EXPECT_EQ(source.info().reference, reference);
-    playRows(movingTable(100), addressOf(source), kAtOnce, {}, nullptr);
+    playRows(movingTable(100), receiverAt(addressOf(source)), kAtOnce, {}, nullptr);
     ASSERT_TRUE(eventually([&] { return source.sides().front().received == 100; }));
     int motors = 0, joints = 0;
     for (tracking::Sample sample; source.ready(0ms) && source.next(sample);) {
@@ -285,7 +286,7 @@ TEST(LiveSource, RunsInARunner) {
   std::promise<void> executed;
   runner.post([&](tracking::Source&, tracking::TrackingPipeline&) { executed.set_value(); });
   EXPECT_EQ(executed.get_future().wait_for(2s), std::future_status::ready) << "while nothing comes";
-  playRows(movingTable(300), address, kAtOnce, {}, nullptr);
+  playRows(movingTable(300), receiverAt(address), kAtOnce, {}, nullptr);
   ASSERT_TRUE(eventually([&] { return runner.report().motor_samples == 300; }));
   ASSERT_TRUE(eventually([&] {
     const auto sides = runner.status().sides;

@@ -34,12 +34,24 @@ TEST_F(SideWatchTest, SaysEachChangeOnce) {
 
 TEST_F(SideWatchTest, SaysWhyNothingComes) {
   EXPECT_EQ(observe(State::kWaiting), Sentences{});
-  side_.from = "ros:/arm", side_.fault = "nobody publishes /arm";
+  side_.from = "ros:/arm", side_.reason = "nobody publishes /arm";
   EXPECT_EQ(observe(State::kWaiting), Sentences{"motors: waiting at ros:/arm: nobody publishes /arm"});
   EXPECT_EQ(observe(State::kWaiting), Sentences{}) << "once";
-  side_.fault.clear();
+  side_.reason.clear();
   EXPECT_EQ(observe(State::kWaiting), Sentences{});
   EXPECT_EQ(observe(State::kReceiving), Sentences{"motors receiving"});
+  side_.reason = "a message is no JointState";
+  EXPECT_EQ(observe(State::kReceiving), Sentences{}) << "others are";
+}
+
+TEST_F(SideWatchTest, SaysWhyACameraIsSilent) {
+  observe(State::kReceiving);
+  side_.name = "cameras", side_.part = "right";
+  EXPECT_EQ(observe(State::kSilent, 0.4), Sentences{"right camera silent"});
+  side_.reason = "http://10.0.0.2/right: no server answers there";
+  EXPECT_EQ(observe(State::kSilent, 0.5),
+            Sentences{"right camera silent: http://10.0.0.2/right: no server answers there"});
+  EXPECT_EQ(observe(State::kSilent, 0.6), Sentences{}) << "once";
 }
 
 TEST_F(SideWatchTest, SaysARefusalThatWasTooShortToBeSeen) {
