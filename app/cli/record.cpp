@@ -7,6 +7,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/console.h"
+#include "app/cli/health_output.h"
 #include "app/cli/live_option.h"
 #include "app/cli/outputs.h"
 #include "app/cli/recordings.h"
@@ -43,7 +44,8 @@ ExitCode record(const RecordArguments& arguments) {
   std::unique_ptr<tracking::Source> source =
       openLive(arguments.live, arguments.robot, arguments.read_as, arguments.duration);
   const tracking::SourceInfo info = source->info();
-  tracking::TrackingPipeline pipeline = tracking::makePipeline(info, tracking::trackingOptionsOf(info));
+  const tracking::TrackingOptions options = tracking::trackingOptionsOf(info);
+  tracking::TrackingPipeline pipeline = tracking::makePipeline(info, options);
   auto runner = std::make_unique<live::Runner>(std::move(source), std::move(pipeline));
   if (feed || outputs)
     runner->listen(live::both(feed ? feed->begin(info) : live::Listener{},
@@ -59,11 +61,13 @@ ExitCode record(const RecordArguments& arguments) {
   runner->pause();
   runner->waitUntilIdle(kLongestStop);
   const live::RunStatus status = runner->status();
-  const tracking::TrackReport report = runner->report();
+  tracking::TrackReport report = runner->report();
+  tracking::noteSource(info, status.sides, report);
+  const auto health = tracking::healthOf(report, info.robot, options.memory);
   const auto recorder = runner->recorder();
   runner.reset();  // closes the recording
   const recording::RecorderStats stats = recorder->stats();
-  output.text(textOf(report, info, 0.0) + textOf(status.sides) +
+  output.text(textOf(report, info, 0.0) + healthText(health) + textOf(status.sides) +
               fmt::format("{}: {} rows written, {} lost, {:.1f} MB\n", arguments.out, stats.written,
                           stats.dropped + stats.lost, 1e-6 * static_cast<double>(stats.bytes)));
   output.json({{"file", arguments.out},
@@ -72,6 +76,7 @@ ExitCode record(const RecordArguments& arguments) {
                {"lost", stats.lost},
                {"bytes", stats.bytes},
                {"motor", report.motor_samples},
+               {"health", healthJson(health)},
                {"live", jsonOf(status.sides)}});
   if (!stats.error.empty()) notice(stats.error);
   if (!status.error.empty()) notice(status.error);

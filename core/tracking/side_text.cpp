@@ -24,7 +24,8 @@ std::string shortTextOf(const SideStatus& side) {
   switch (side.state) {
     case State::kWaiting:
       if (side.connected) return fmt::format("{}: connected at {}, no valid row yet", side.name, side.from);
-      return fmt::format("{}: waiting at {}{}", side.name, side.from, because(side));
+      return side.reason.empty() ? fmt::format("{}: waiting at {}", side.name, side.from)
+                                 : fmt::format("{}: waiting{}", side.name, because(side));
     case State::kSilent:
     case State::kFrozen:
       return fmt::format("{} {} for {:.1f} s{}", side.part.empty() ? side.name : side.part + " camera",

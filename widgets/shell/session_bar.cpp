@@ -201,7 +201,9 @@ void SessionBar::showStatus(const live::RunStatus& status) {
   const bool running = status.state == RunState::kRunning;
   run_->setChecked(running);
   run_->setText(running ? tr("‖ Pause") : status.state == RunState::kEnded ? tr("↻ Again") : tr("▸ Run"));
-  step_->setEnabled(status.state == RunState::kPaused || running);
+  const bool live = !status.sides.empty();  // it goes on in real time
+  step_->setEnabled(!live && (status.state == RunState::kPaused || running));
+  speed_->setEnabled(!live);
   const bool recording = status.recorder && status.recorder->state == recording::RecorderState::kRecording;
   record_->setChecked(recording);
   record_->setText(recording ? tr("■ Stop") : tr("● Record"));

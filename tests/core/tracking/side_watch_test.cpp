@@ -35,7 +35,7 @@ TEST_F(SideWatchTest, SaysEachChangeOnce) {
 TEST_F(SideWatchTest, SaysWhyNothingComes) {
   EXPECT_EQ(observe(State::kWaiting), Sentences{});
   side_.from = "ros:/arm", side_.reason = "nobody publishes /arm";
-  EXPECT_EQ(observe(State::kWaiting), Sentences{"motors: waiting at ros:/arm: nobody publishes /arm"});
+  EXPECT_EQ(observe(State::kWaiting), Sentences{"motors: waiting: nobody publishes /arm"});
   EXPECT_EQ(observe(State::kWaiting), Sentences{}) << "once";
   side_.reason.clear();
   EXPECT_EQ(observe(State::kWaiting), Sentences{});

@@ -223,8 +223,9 @@ void StatusLine::showMotors(const tracking::Snapshot& snapshot) {
 
 void StatusLine::showStatus(const live::RunStatus& status, double recorded_seconds) {
   delay_field_ = status.sides.empty() ? tracking::DelayField::kOptions : tracking::DelayField::kLiveSetup;
+  const bool live = !status.sides.empty() && status.state == RunState::kRunning;
   const QString state = QString::fromStdString(std::string(base::nameOf(status.state)));
-  set(kState, state, status.state == RunState::kFailed ? Tone::kFault : Tone::kPlain);
+  set(kState, live ? tr("live") : state, status.state == RunState::kFailed ? Tone::kFault : Tone::kPlain);
   const bool behind = status.state == RunState::kRunning && status.real_time_factor > 0.0 &&
                       status.real_time_factor < kBehind * status.speed;
   set(kSpeed, behind ? tr("only ×%1").arg(status.real_time_factor, 0, 'f', 1) : QString(), Tone::kWarning);
