@@ -260,9 +260,9 @@ std::optional<CameraSide::Clock::time_point> CameraSide::observeStamp(std::int64
 /// stamps or of this computer, and the arrivals only show whether the clocks agree: by them an image is later
 /// by its delay.
 std::optional<double> CameraSide::observeExposure(const FramePair& pair) {
-  using Times = tracking::SideStatus::Times;
-  if (files_) return status_.times = Times::kFile, pair.t;
-  status_.times = Times::kArrivals;
+  using By = tracking::SideStatus::Times;
+  if (files_) return status_.times = By::kFile, pair.t;
+  status_.times = By::kArrivals;
   const Clock::time_point arrival = computerTime(pair.t);
   const std::optional<double> by_arrival = session_.at(arrival);
   const std::optional<std::int64_t> stamp = clock_.stampOf(pair.t);
@@ -272,9 +272,9 @@ std::optional<double> CameraSide::observeExposure(const FramePair& pair) {
   if (!by_stamp)
     with_motors_.forget();
   else if (with_motors_.add(*by_arrival - *by_stamp, clock_.steps(), *by_arrival))
-    return status_.times = Times::kStamps, by_stamp;
+    return status_.times = By::kStamps, by_stamp;
   if (!on_computer) return by_arrival;
-  status_.times = Times::kStamps;
+  status_.times = By::kStamps;
   return session_.at(*on_computer);
 }
 

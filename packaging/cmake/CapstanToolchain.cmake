@@ -19,6 +19,18 @@ if(CAPSTAN_CCACHE)
   endif()
 endif()
 
+# GNU ld takes 3 s of a processor for each of a hundred programs; gold and LLD take less than 1 s.
+if(PROJECT_IS_TOP_LEVEL AND NOT CAPSTAN_SANITIZE)
+  include(CheckLinkerFlag)
+  foreach(linker IN ITEMS gold lld)
+    check_linker_flag(CXX -fuse-ld=${linker} CAPSTAN_HAS_LINKER_${linker})
+    if(CAPSTAN_HAS_LINKER_${linker})
+      add_link_options(-fuse-ld=${linker})
+      break()
+    endif()
+  endforeach()
+endif()
+
 add_library(capstan_options INTERFACE)
 target_compile_options(capstan_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor
                                                  -Woverloaded-virtual -Werror)
