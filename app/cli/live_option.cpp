@@ -65,7 +65,10 @@ std::string textOf(const std::vector<tracking::SideStatus>& sides) {
   return text;
 }
 
-nlohmann::json orNull(const std::string& text) { return text.empty() ? nlohmann::json() : text; }
+/// `text`, or null where it is empty.
+nlohmann::json orNull(const std::string& text) {
+  return text.empty() ? nlohmann::json() : nlohmann::json(text);
+}
 
 nlohmann::json jsonOf(const std::vector<tracking::SideStatus>& sides) {
   nlohmann::json all = nlohmann::json::array();

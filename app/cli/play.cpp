@@ -202,8 +202,9 @@ Played playRos(const PlayArguments& arguments, RecordingFormat format, const Row
 
 /// `pairs`: of the whole recording.
 std::string wordsOf(const live::ImagePlayReport& images, std::uint64_t pairs) {
-  std::string text = fmt::format("{} of {} pairs of images in time", images.sent, pairs);
-  if (images.skipped > 0) text += fmt::format(", {} skipped: this computer is too slow", images.skipped);
+  std::string text = fmt::format("{} of {} pairs of images in time", images.sent - images.late, pairs);
+  if (images.late + images.skipped > 0)
+    text += fmt::format(", {} late, {} skipped: this computer is too slow", images.late, images.skipped);
   if (pairs > images.pairs()) text += fmt::format(", {} not reached", pairs - images.pairs());
   return text + fmt::format("; {} withheld by faults\n", images.withheld);
 }
@@ -241,6 +242,7 @@ void say(const PlayArguments& arguments, const Output& output, std::size_t rows,
     json["images"] = {{"pairs", pairs},
                       {"sent", report->sent},
                       {"withheld", report->withheld},
+                      {"late", report->late},
                       {"skipped", report->skipped}};
   }
   json["started"] = played.started;
@@ -286,7 +288,7 @@ void addPlay(CLI::App& app, ExitCode& exit) {
   command->add_option("--video", arguments->video,
                       "serve the images of a session (Motion JPEG), as in http://127.0.0.1:8081; they go on\n"
                       "while nobody takes the rows, which are tried again every 0.5 s");
-  command->add_option("--wait", arguments->wait, "how long to wait for the receiver before the begin [s]")
+  command->add_option("--wait", arguments->wait, "longest time to wait for the receiver of --to [s]")
       ->capture_default_str()
       ->check(CLI::Range(0.0, 86400.0));
   command->add_flag(

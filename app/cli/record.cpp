@@ -44,8 +44,7 @@ ExitCode record(const RecordArguments& arguments) {
   std::unique_ptr<tracking::Source> source =
       openLive(arguments.live, arguments.robot, arguments.read_as, arguments.duration);
   const tracking::SourceInfo info = source->info();
-  const tracking::TrackingOptions options = tracking::trackingOptionsOf(info);
-  tracking::TrackingPipeline pipeline = tracking::makePipeline(info, options);
+  tracking::TrackingPipeline pipeline = tracking::makePipeline(info, tracking::trackingOptionsOf(info));
   auto runner = std::make_unique<live::Runner>(std::move(source), std::move(pipeline));
   if (feed || outputs)
     runner->listen(live::both(feed ? feed->begin(info) : live::Listener{},
@@ -61,9 +60,8 @@ ExitCode record(const RecordArguments& arguments) {
   runner->pause();
   runner->waitUntilIdle(kLongestStop);
   const live::RunStatus status = runner->status();
-  tracking::TrackReport report = runner->report();
-  tracking::noteSource(info, status.sides, report);
-  const auto health = tracking::healthOf(report, info.robot, options.memory);
+  const tracking::TrackReport report = runner->report();
+  const std::vector<tracking::HealthCheck> health = runner->health();
   const auto recorder = runner->recorder();
   runner.reset();  // closes the recording
   const recording::RecorderStats stats = recorder->stats();

@@ -61,7 +61,7 @@ CameraSide::CameraSide(const CamerasSetup& setup, SessionClock clock, SampleQueu
   status_.name = "cameras";
   status_.counted = "image";
   for (const std::string& address : addresses_) {
-    status_.from += (status_.from.empty() ? "" : ", ") + address;
+    status_.from += (status_.from.empty() ? "" : ", ") + withoutPassword(address);
     const bool later = isNetworkStream(address) || isRosTopic(address);
     first_.push_back(later ? nullptr : std::make_unique<VideoStream>(address, settingsOf(setup)));
   }
@@ -81,10 +81,8 @@ tracking::SideStatus CameraSide::status() const {
   if (status.state == State::kReceiving) judge(status);
   status.unpaired = pairer_.unpaired(), status.frozen = pairer_.frozen();
   status.dropped += pairer_.dropped();
-  if (status.part.empty())
-    status.reason = joined(reasons_);
-  else
-    status.reason = reasons_[status.part == "left" ? 0 : 1];
+  if (status.state != State::kReceiving)
+    status.reason = status.part.empty() ? joined(reasons_) : reasons_[status.part == "left" ? 0 : 1];
   return status;
 }
 
@@ -202,7 +200,7 @@ void CameraSide::noteConnections(int stream, std::uint64_t count) {
 
 void CameraSide::noteHint(int stream, TopicHint& hint) {
   const std::optional<std::string> reason = hint.ask();
-  if (reason && !reason->empty()) noteReason(stream, *reason);
+  if (reason) noteReason(stream, *reason);
 }
 
 /// Until the end: a topic outlives its publishers.

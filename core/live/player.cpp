@@ -104,9 +104,20 @@ PlayReport playRows(const recording::MeasuredTable& table, std::unique_ptr<TcpSe
   return report;
 }
 
+bool ImagePacer::wait(double due) {
+  const bool late = clock_.overdueBy(due) > kOverdue;
+  if (late && Clock::now() - sent_ < std::chrono::duration<double>(kOverdue)) return ++report_.skipped, false;
+  clock_.waitUntil(due);
+  sent_ = Clock::now();
+  ++report_.sent;
+  if (late) ++report_.late;
+  return true;
+}
+
 ImagePlayReport playImages(tracking::Source& source, ImageServer& server, const PlayClock& clock,
                            const PlayOptions& options, const base::Progress* progress) {
   ImagePlayReport report;
+  ImagePacer pacer(clock, report);
   FaultyRows pairs(options.faults, options.seed);
   tracking::Sample sample;
   tracking::StereoFrame shown;
@@ -121,15 +132,10 @@ ImagePlayReport playImages(tracking::Source& source, ImageServer& server, const 
       ++report.withheld;
       continue;
     }
-    if (clock.overdueBy(played->due) > ImagePlayReport::kOverdue) {
-      ++report.skipped;
-      continue;
-    }
-    clock.waitUntil(played->due);
+    if (!pacer.wait(played->due)) continue;
     const auto& [first, second] =
         played->swapped ? std::tie(shown.right, shown.left) : std::tie(shown.left, shown.right);
     server.publish(first, second, clock.stampOf(frame->t));
-    ++report.sent;
   }
   return report;
 }

@@ -51,11 +51,27 @@ PlayReport playRows(const recording::MeasuredTable& table, std::unique_ptr<TcpSe
                     const PlayClock& clock, const PlayOptions& options, base::Progress* progress);
 
 struct ImagePlayReport {
-  static constexpr double kOverdue = 0.1;  // [s]
-  std::uint64_t sent = 0, withheld = 0;    ///< pairs of images
-  std::uint64_t skipped = 0;  ///< pairs overdue by more than kOverdue: this computer is too slow
+  std::uint64_t sent = 0, withheld = 0;  ///< pairs of images
+  std::uint64_t late = 0;                ///< of the sent ones, overdue by more than ImagePacer::kOverdue
+  std::uint64_t skipped = 0;             ///< overdue by more than that, and left out
 
   std::uint64_t pairs() const { return sent + withheld + skipped; }
+};
+
+/// Waits until a pair of images is due. On a computer that is too slow it leaves out what is overdue, but for
+/// one in kOverdue.
+class ImagePacer {
+ public:
+  ImagePacer(const PlayClock& clock, ImagePlayReport& report) : clock_(clock), report_(report) {}
+  /// Waits for a pair that is due at a time since the begin [s], and counts it. False: it is to be skipped.
+  bool wait(double due);
+
+  static constexpr double kOverdue = 0.1;  ///< [s]
+
+ private:
+  const PlayClock& clock_;
+  ImagePlayReport& report_;
+  std::chrono::steady_clock::time_point sent_;
 };
 
 /// Serves the images of a session at the times at which they arrived there, with their times of exposure on

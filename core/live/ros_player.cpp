@@ -117,6 +117,7 @@ ImagePlayReport RosPlayer::playImages(tracking::Source& source, const PlayClock&
   ImagePlayReport report;
   FaultyRows pairs(options.faults, options.seed);
   StereoFrame shown;
+  ImagePacer pacer(clock, report);
   std::size_t pair = 0;
   for (Sample sample; source.next(sample) && !(progress && progress->cancelled());) {
     const auto* frame = std::get_if<StereoFrame>(&sample);
@@ -129,15 +130,10 @@ ImagePlayReport RosPlayer::playImages(tracking::Source& source, const PlayClock&
       ++report.withheld;
       continue;
     }
-    if (clock.overdueBy(played->due) > ImagePlayReport::kOverdue) {
-      ++report.skipped;
-      continue;
-    }
-    clock.waitUntil(played->due);
+    if (!pacer.wait(played->due)) continue;
     StereoFrame sent = shown;
     if (played->swapped) std::swap(sent.left, sent.right);
     publish(sent, frame->t);
-    ++report.sent;
   }
   return report;
 }

@@ -32,8 +32,8 @@ class LatencyCounts {
     for (std::size_t step = 0; step < kSteps; ++step) {
       seen += static_cast<double>(counts_[step]);
       if (counts_[step] > 0 && seen >= rank)
-        return step == kSteps - 1 ? std::numeric_limits<double>::infinity()
-                                  : kStep * static_cast<double>(step);
+        return kStep * static_cast<double>(step) < kLongest ? kStep * static_cast<double>(step)
+                                                            : std::numeric_limits<double>::infinity();
     }
     return std::numeric_limits<double>::quiet_NaN();
   }

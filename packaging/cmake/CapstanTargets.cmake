@@ -23,20 +23,22 @@ endfunction()
 # A GoogleTest executable, its cases registered with CTest one by one. With SUITES each suite is one test, for many
 # short cases: to start a program that links OpenCV takes a tenth of a second. With WHOLE all of it is one test,
 # where its cases share what takes long to make.
-#   capstan_test(NAME robot_test SOURCES … LINKS capstan::robot [TIMEOUT seconds] [SUITES|WHOLE])
+# SOURCES are compiled five at a time, since most of a test is code of Eigen and GoogleTest that its neighbours use, too;
+# files of ALONE by themselves, where their names are those of a neighbour.
+#   capstan_test(NAME robot_test SOURCES … [ALONE …] LINKS capstan::robot [TIMEOUT seconds] [SUITES|WHOLE])
 function(capstan_test)
-  cmake_parse_arguments(TEST "SUITES;WHOLE" "NAME;TIMEOUT" "SOURCES;LINKS" ${ARGN})
+  cmake_parse_arguments(TEST "SUITES;WHOLE" "NAME;TIMEOUT" "SOURCES;ALONE;LINKS" ${ARGN})
   if(NOT TEST_TIMEOUT)
     set(TEST_TIMEOUT 240)  # on a loaded machine with two cores
     if(TEST_SUITES)
       set(TEST_TIMEOUT 600)
     endif()
   endif()
-  add_executable(${TEST_NAME} ${TEST_SOURCES})
+  add_executable(${TEST_NAME} ${TEST_SOURCES} ${TEST_ALONE})
   target_link_libraries(${TEST_NAME} PRIVATE ${TEST_LINKS} capstan_test_folders capstan_options GTest::gtest GTest::gmock GTest::gtest_main)
   target_compile_options(${TEST_NAME} PRIVATE ${CAPSTAN_TEST_OPTIONS})
-  # Most of a test is code of Eigen and GoogleTest, which its neighbours use, too.
   set_target_properties(${TEST_NAME} PROPERTIES UNITY_BUILD ${CAPSTAN_PRECOMPILE} UNITY_BUILD_BATCH_SIZE 5)
+  set_source_files_properties(${TEST_ALONE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   if(Qt5::Test IN_LIST TEST_LINKS)
     capstan_precompiled(${TEST_NAME} window_test)
   else()

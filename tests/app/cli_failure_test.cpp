@@ -10,8 +10,6 @@ using nlohmann::json;
 using testing::Cli;
 using testing::Ran;
 
-constexpr const char* kMotion = "--trajectory sinusoid --no-images ";
-
 TEST_F(Cli, AMotorsEncoderIsMadeToFail) {
   const std::string file = simulate("s.capstan", std::string(kMotion) + "--duration 6");
   const json lost = json::parse(run("track --json - --fail-motor 2@2:lost " + file).out);

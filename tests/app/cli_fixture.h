@@ -74,6 +74,9 @@ class Cli : public ::testing::Test {
   }
   void write(const std::string& name, const std::string& text) const { std::ofstream(path(name)) << text; }
 
+  /// Options of `simulate`: a motion of all joints, quick to make.
+  static constexpr const char* kMotion = "--trajectory sinusoid --no-images ";
+
   fs::path folder_;
 };
 

@@ -20,8 +20,6 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using testing::Ran;
 
-constexpr const char* kMotion = "--trajectory sinusoid --no-images ";
-
 std::vector<std::string> split(const std::string& text, char at) {
   std::vector<std::string> parts;
   std::istringstream in(text);

@@ -162,7 +162,7 @@ class Session:
         self.report = json.loads(self.json.read_text())
         self.read()
         self.said = [(t, line) for t, line in self.notices.lines if "receiving" in line or "silent" in line or "used" in line
-                     or "frozen" in line or "stepped" in line or "refused" in line or "waiting at" in line]
+                     or "frozen" in line or "stepped" in line or "refused" in line or ": waiting" in line]
 
 
 class RecordedSession:

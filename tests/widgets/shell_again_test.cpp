@@ -15,8 +15,6 @@
 namespace capstan::widgets {
 namespace {
 
-QString statusOf(MainWindow& window) { return window.findChild<StatusLine*>()->text(); }
-
 bool noted(MainWindow& window, const QString& words) {
   for (int row = 0; row < window.notes().rows(); ++row)
     if (window.notes().row(row).contains(words)) return true;

@@ -13,8 +13,6 @@
 namespace capstan::widgets {
 namespace {
 
-QString statusOf(MainWindow& window) { return window.findChild<StatusLine*>()->text(); }
-
 QString pathOf(const SmallDisk& disk) { return QString::fromStdString(disk.path().string()); }
 
 /// Through the menu and its dialog.

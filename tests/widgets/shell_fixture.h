@@ -7,6 +7,7 @@
 #include <QtTest/QTest>
 
 #include "tests/support/folders.h"
+#include "widgets/panels/status/status_line.h"
 #include "widgets/shell/main_window.h"
 #include "widgets/shell/session_bar.h"
 
@@ -59,5 +60,7 @@ class Shell : public testing::Test {
 
   QTemporaryDir folder_;
 };
+
+inline QString statusOf(MainWindow& window) { return window.findChild<StatusLine*>()->text(); }
 
 }  // namespace capstan::widgets

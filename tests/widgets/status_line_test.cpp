@@ -43,6 +43,22 @@ TEST(StatusLine, ReadsAsOneLine) {
   test::grab(line, "status_line");
 }
 
+TEST(StatusLine, ALiveSessionIsCalledLive) {
+  StatusLine line;
+  live::RunStatus status = running();
+  tracking::SideStatus cameras;
+  cameras.name = "cameras", cameras.state = tracking::SideStatus::State::kReceiving;
+  status.sides = {cameras};
+  line.showStatus(status, 0.0);
+  EXPECT_TRUE(line.text().startsWith(QString::fromUtf8("live · 1000 Hz"))) << line.text().toStdString();
+  status.sides[0].state = tracking::SideStatus::State::kSilent;
+  status.sides[0].part = "right", status.sides[0].silent_for = 3.04;
+  status.sides[0].reason = "no server answers there";
+  line.showStatus(status, 0.0);
+  EXPECT_TRUE(line.text().contains("right camera silent for 3.0 s: no server answers there"))
+      << line.text().toStdString();
+}
+
 TEST(StatusLine, NamesMotorsWhoseEncoderFailed) {
   StatusLine line;
   auto snapshot = calm();

@@ -257,7 +257,7 @@ void MainWindow::onOpened(const tracking::SourceInfo& info, const SourceChoice& 
   if (info.own_kinematics)
     notes_->addEvent(now_, "notice", tr("reference: the robot's own kinematics, no truth"));
   listRecordedEvents();
-  link_.runner()->setSpeed(bar_->speed());
+  link_.runner()->setSpeed(info.real_time ? 1.0 : bar_->speed());
   occlusion_controller_->begin(info);
   link_.setRunning(true);
 }

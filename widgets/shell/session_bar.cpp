@@ -99,8 +99,8 @@ void SessionBar::addSpeed() {
   addWidget(speed_)->setText(tr("Speed"));
   connect(speed_, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
           [this] { Q_EMIT speedChanged(speed()); });
-  addOffBar("slower", tr("Slower"), Qt::Key_BracketLeft, [this] { shiftSpeed(-1); });
-  addOffBar("faster", tr("Faster"), Qt::Key_BracketRight, [this] { shiftSpeed(1); });
+  shifts_ = {addOffBar("slower", tr("Slower"), Qt::Key_BracketLeft, [this] { shiftSpeed(-1); }),
+             addOffBar("faster", tr("Faster"), Qt::Key_BracketRight, [this] { shiftSpeed(1); })};
 }
 
 /// Adds an action that is only in the window's menus; its key works too.
@@ -204,6 +204,7 @@ void SessionBar::showStatus(const live::RunStatus& status) {
   const bool live = !status.sides.empty();  // it goes on in real time
   step_->setEnabled(!live && (status.state == RunState::kPaused || running));
   speed_->setEnabled(!live);
+  for (QAction* shift : shifts_) shift->setEnabled(!live);
   const bool recording = status.recorder && status.recorder->state == recording::RecorderState::kRecording;
   record_->setChecked(recording);
   record_->setText(recording ? tr("■ Stop") : tr("● Record"));

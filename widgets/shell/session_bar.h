@@ -62,6 +62,7 @@ class SessionBar : public QToolBar {
   QString folder_;
   SourceMenu* sources_ = nullptr;
   QComboBox* speed_ = nullptr;
+  std::array<QAction*, 2> shifts_{};  ///< slower, faster
   QAction *run_ = nullptr, *step_ = nullptr, *record_ = nullptr, *export_ = nullptr;
 };
 

@@ -30,7 +30,7 @@ constexpr int kOk = 200, kUnauthorized = 401, kFirstError = 400;
 class HttpImages::Reader {
  public:
   explicit Reader(const std::string& address, std::chrono::milliseconds patience)
-      : address_(address), url_(parseHttpUrl(address)), client_(url_.host, url_.port) {
+      : address_(withoutPassword(address)), url_(parseHttpUrl(address)), client_(url_.host, url_.port) {
     client_.set_connection_timeout(patience);
     client_.set_read_timeout(patience);
     client_.set_follow_location(true);
@@ -51,7 +51,8 @@ class HttpImages::Reader {
     changed_.wait_for(lock, patience, [&] { return begun_ || ended_; });
     if (begun_ || !other_.empty()) return other_;
     if (fault_) std::rethrow_exception(fault_);
-    refuse(address_, "the server sends no image", "Check that the camera runs");
+    if (answered_) refuse(address_, "the server sends no image", "Check that the camera runs");
+    refuseSilence();
   }
   bool next(JpegPart& part, std::uint64_t& lost, std::chrono::milliseconds patience) {
     std::unique_lock lock(mutex_);
@@ -84,10 +85,11 @@ class HttpImages::Reader {
                                                     return take({data, size});
                                                   }); });
     if (!result && !answered_)
-      keepFault([&]() -> bool {
-        refuse(address_, "no server answers there", "Start the camera's server, or correct the address");
-      });
+      keepFault([&]() -> bool { refuseSilence(); });
     end();
+  }
+  [[noreturn]] void refuseSilence() const {
+    refuse(address_, "no server answers there", "Start the camera's server, or correct the address");
   }
   bool take(std::string_view bytes) {
     parser_.add(bytes, Clock::now(), [&](JpegPart&& part) { keep(std::move(part)); });
@@ -103,7 +105,9 @@ class HttpImages::Reader {
       refuse(address_, fmt::format("the server answers {} {}", response.status, response.reason),
              "Correct the path of the address, or look at the server's own messages");
     if (response.status == kUnauthorized)
-      otherwise_ = "the server asks for a user name and a password (http://USER:PASSWORD@HOST/PATH)";
+      otherwise_ = url_.user.empty()
+                       ? "the server asks for a user name and a password (http://USER:PASSWORD@HOST/PATH)"
+                       : "the server refuses this user name and password";
     else if (!type.starts_with("multipart/"))
       otherwise_ = "the server sends " + (type.empty() ? "something of no stated type" : type);
     return response.status == kOk && (otherwise_.empty() || unknown);
@@ -130,11 +134,10 @@ class HttpImages::Reader {
   const std::string address_;
   const HttpUrl url_;
   httplib::Client client_;
-  MultipartParser parser_;   ///< of the thread, as the next three
+  MultipartParser parser_;   ///< of the thread, as the next two
   std::exception_ptr met_;   ///< fault of the stream
-  bool answered_ = false;
   std::string otherwise_;    ///< what the server sends unless images follow; empty: it promises images
-  std::atomic<bool> quit_{false};
+  std::atomic<bool> answered_{false}, quit_{false};
 
   std::mutex mutex_;  ///< protects the members below
   std::condition_variable changed_;

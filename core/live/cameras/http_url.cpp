@@ -45,18 +45,29 @@ HttpUrl parseHttpUrl(const std::string& address) {
     if (colon < at) url.password = decoded(rest.substr(colon + 1, at - colon - 1));
     rest = rest.substr(at + 1);
   }
-  const std::size_t bracket = rest.starts_with('[') ? rest.find(']') : 0;
-  const std::size_t colon = bracket == std::string_view::npos ? bracket : rest.find(':', bracket);
-  url.host = rest.substr(bracket > 0 ? 1 : 0, bracket > 0 ? bracket - 1 : colon);
-  if (colon < rest.size()) url.port = numberOf(rest.substr(colon + 1), 10);
-  if (url.host.empty() || url.port < 1 || url.port > kLargestPort)
-    throw base::InputError({address,
+  // Host, then nothing or ":PORT".
+  const bool bracketed = rest.starts_with('[');
+  const std::size_t end = std::min(rest.find(bracketed ? ']' : ':'), rest.size());
+  url.host = rest.substr(bracketed ? 1 : 0, end - (bracketed ? 1 : 0));
+  const bool closed = !bracketed || end < rest.size();
+  const std::string_view after = rest.substr(std::min(end + (bracketed ? 1 : 0), rest.size()));
+  if (!after.empty()) url.port = after[0] == ':' ? numberOf(after.substr(1), 10) : -1;
+  if (url.host.empty() || !closed || url.port < 1 || url.port > kLargestPort)
+    throw base::InputError({withoutPassword(address),
                             0,
                             {},
                             {},
                             "not an address of the form http://HOST:PORT/PATH",
                             "Correct the address"});
   return url;
+}
+
+std::string withoutPassword(const std::string& address) {
+  const std::size_t scheme = address.find("://");
+  if (scheme == std::string::npos) return address;
+  const std::size_t begin = scheme + 3, end = std::min(address.find_first_of("/?", begin), address.size());
+  const std::size_t at = address.rfind('@', end);
+  return at == std::string::npos || at < begin ? address : address.substr(0, begin) + address.substr(at + 1);
 }
 
 bool isHttpAddress(const std::string& address) { return address.starts_with(kScheme); }

@@ -12,9 +12,13 @@ struct HttpUrl {
   std::string path;  ///< begins with '/'; with what follows '?'
 };
 
-/// Parses "http://[USER:PASSWORD@]HOST[:PORT][/PATH]". HOST may be an IPv6 address in brackets; characters of
-/// USER and PASSWORD may be written as %XX, as '@' has to be. Throws base::InputError that names the address.
+/// Parses "http://[USER:PASSWORD@]HOST[:PORT][/PATH]". HOST may be an IPv6 address in brackets. Characters of
+/// USER and PASSWORD may be written as %XX; '/', '?' and '%' have to be, and ':' in USER. Throws
+/// base::InputError that names the address.
 HttpUrl parseHttpUrl(const std::string& address);
+
+/// `address` ("rtsp://USER:PASSWORD@HOST/PATH") without user and password, for messages and recordings.
+std::string withoutPassword(const std::string& address);
 
 /// Whether `address` is one of those: "http://…".
 bool isHttpAddress(const std::string& address);

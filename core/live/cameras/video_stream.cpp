@@ -70,7 +70,7 @@ class VideoStream::Impl {
     else
       capture_.open(from, cv::CAP_V4L2);
     if (!capture_.isOpened())
-      throw base::InputError({from,
+      throw base::InputError({withoutPassword(from),
                               0,
                               {},
                               {},

@@ -5,6 +5,7 @@
 #include <netinet/in.h>
 #include <netinet/tcp.h>
 #include <sys/socket.h>
+#include <sys/time.h>
 
 #include <array>
 #include <cerrno>
@@ -20,13 +21,18 @@ TcpSender::TcpSender(const Address& address)
   to.sin_family = AF_INET;
   to.sin_port = htons(address.port);
   inet_pton(AF_INET, address.host.c_str(), &to.sin_addr);
+  const auto setTimeout = [&](timeval timeout) {
+    ::setsockopt(socket_.get(), SOL_SOCKET, SO_SNDTIMEO, &timeout, sizeof timeout);
+  };
+  setTimeout({1, 0});  // [s] of connecting: a computer that is off does not answer
   if (!socket_.isOpen() || ::connect(socket_.get(), reinterpret_cast<sockaddr*>(&to), sizeof to) != 0)
     throw base::InputError({"",
                             0,
                             {},
                             fmt::format("tcp://{}:{}", address.host, address.port),
-                            std::string("cannot be connected to: ") + std::strerror(errno),
+                            std::string("cannot be connected to: ") + std::strerror(errno == EINPROGRESS ? ETIMEDOUT : errno),
                             "Start the program that listens there first"});
+  setTimeout({});  // a receiver may take its time
   const int yes = 1;
   ::setsockopt(socket_.get(), IPPROTO_TCP, TCP_NODELAY, &yes, sizeof yes);
 }

@@ -7,13 +7,13 @@
 namespace capstan::identification {
 
 inline robot::Description jaw() {
-  return robot::readDescription(test::sourceFile("tests/core/identification/data/davinci_jaw.yaml"));
+  return robot::readDescription(capstan::test::sourceFile("tests/core/identification/data/davinci_jaw.yaml"));
 }
 
 /// Recordings of the jaw under even or odd load levels at 0.1, 0.3 and 0.5 Hz, in this order; empty where the
 /// measured data are not here.
 inline std::vector<DriveRecording> jawRecordings(bool odd, double step) {
-  const std::filesystem::path root = test::dataFolder() / "davinci-jaw";
+  const std::filesystem::path root = capstan::test::dataFolder() / "davinci-jaw";
   std::vector<DriveRecording> all;
   if (!std::filesystem::exists(root)) return all;
   for (const char* frequency : {"0.1", "0.3", "0.5"})

@@ -212,21 +212,23 @@ TEST_F(CameraSideOfAVideo, NoImageComesBeforeTheMotorsOfItsExposure) {
 }
 
 /// Two network cameras whose images the test publishes, thirty times a second.
+/// A session that began at `start`.
+CameraSide::SessionClock clockSince(CameraSide::Clock::time_point start) {
+  return {[start](CameraSide::Clock::time_point t) -> std::optional<double> {
+            return std::chrono::duration<double>(t - start).count();
+          },
+          {},
+          {},
+          {}};
+}
+
 class NetworkCameras : public ::testing::Test {
  protected:
   void SetUp() override {
     CamerasSetup setup;
     const std::string at = "http://127.0.0.1:" + std::to_string(server_.port());
     setup.left = at + "/left", setup.right = at + "/right";
-    cameras_.emplace(
-        setup,
-        CameraSide::SessionClock{[start = start_](CameraSide::Clock::time_point t) -> std::optional<double> {
-                                   return std::chrono::duration<double>(t - start).count();
-                                 },
-                                 {},
-                                 {},
-                                 {}},
-        queue_);
+    cameras_.emplace(setup, clockSince(start_), queue_);
   }
   cv::Mat newImage() {
     cv::Mat image(48, 64, CV_8UC3);
@@ -274,6 +276,25 @@ TEST_F(NetworkCameras, StampsAreTheTimes) {
     ++frames;
   }
   EXPECT_EQ(cameras_->status().unpaired, 0U);
+}
+
+/// The right one's address is wrong.
+TEST_F(NetworkCameras, TheReasonIsThatOfTheCameraThatIsSilent) {
+  CamerasSetup setup;
+  setup.left = "http://user:secret@127.0.0.1:" + std::to_string(server_.port()) + "/left";
+  setup.right = "http://user:secret@127.0.0.1:1/right";
+  cameras_.emplace(setup, clockSince(start_), queue_);
+  std::string reason;
+  for (int k = 0; k < 300 && reason.empty(); ++k) {
+    server_.publish(newImage(), newImage());
+    std::this_thread::sleep_for(33ms);
+    if (cameras_->status().received > 0) reason = cameras_->status().reason;
+  }
+  const tracking::SideStatus status = cameras_->status();
+  EXPECT_EQ(status.state, State::kSilent);
+  EXPECT_EQ(status.part, "right");
+  EXPECT_EQ(reason.find("http://127.0.0.1:1/right: no server answers there"), 0U) << reason;
+  EXPECT_EQ(status.from.find("secret"), std::string::npos) << status.from;
 }
 
 TEST_F(NetworkCameras, TheCameraThatIsSilentIsNamed) {

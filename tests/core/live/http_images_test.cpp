@@ -135,6 +135,20 @@ TEST_F(HttpServer, WhatIsNoMotionJpegIsLeftToFfmpeg) {
   }
 }
 
+TEST_F(HttpServer, APasswordThatIsRefusedIsNotAskedForAgain) {
+  server_.Get("/secret",
+              [](const httplib::Request&, httplib::Response& response) { response.status = 401; });
+  const auto opened = HttpImages::open("http://user:wrong@127.0.0.1:" + std::to_string(port_) + "/secret", 2s);
+  EXPECT_EQ(opened.other, "the server refuses this user name and password");
+}
+
+TEST(HttpUrl, MessagesHaveNoPassword) {
+  EXPECT_EQ(withoutPassword("rtsp://lab:secret@camera:554/x@y?z"), "rtsp://camera:554/x@y?z");
+  EXPECT_EQ(withoutPassword("http://lab:a@b@camera"), "http://camera");
+  for (const char* same : {"http://camera/a@b", "/dev/video0", "left@lab.mkv", "ros:/left"})
+    EXPECT_EQ(withoutPassword(same), same);
+}
+
 TEST(HttpUrl, PartsOfAnAddress) {
   const HttpUrl all = parseHttpUrl("http://lab%40site:a%3Ab%25@[::1]:8081/left?action=stream");
   EXPECT_EQ(all.user, "lab@site");
@@ -148,8 +162,10 @@ TEST(HttpUrl, PartsOfAnAddress) {
   EXPECT_EQ(least.path, "/");
   EXPECT_EQ(parseHttpUrl("http://camera?x").path, "/?x");
   EXPECT_EQ(parseHttpUrl("http://u:100%@camera").password, "100%") << "not a character in %XX";
+  EXPECT_EQ(parseHttpUrl("http://[::1]/").port, 80);
   for (const char* wrong : {"http://", "http://:80/", "http://camera:0/", "http://camera:65536/", "http://camera:/",
-                            "http://camera:8o/", "http://[::1/"})
+                            "http://camera:8o/", "http://[::1/", "http://[::1]8081/", "http://[::1]x:80/",
+                            "http://lab:a/b@cam/x"})
     EXPECT_THROW(parseHttpUrl(wrong), base::InputError) << wrong;
 }
 

@@ -54,14 +54,14 @@ TEST(PublishedTrials, PooledTwoSidedReproducesJoints1And2) {
 // scipy 1.10.1: scipy.stats.ttest_rel(kin, ukf).pvalue, ttest_ind(kin, ukf).pvalue,
 // ttest_ind(kin, ukf, equal_var=False).pvalue
 TEST(PublishedTrials, TheThreeTestsAgreeWithScipy) {
-  struct Row {
+  struct ByScipy {
     const Joint& joint;
     double paired, pooled, welch;
   };
-  for (const Row& row :
-       {Row{kJoint1, 0.022127367701007206, 0.0024925005367715273, 0.00722897413499243},
-        Row{kJoint2, 0.004424488183248549, 0.0014925151105808928, 0.004049899299620735},
-        Row{kJoint3, 1.4883420985231358e-05, 3.8608267783423395e-09, 8.612831228455219e-08}}) {
+  for (const ByScipy& row :
+       {ByScipy{kJoint1, 0.022127367701007206, 0.0024925005367715273, 0.00722897413499243},
+        ByScipy{kJoint2, 0.004424488183248549, 0.0014925151105808928, 0.004049899299620735},
+        ByScipy{kJoint3, 1.4883420985231358e-05, 3.8608267783423395e-09, 8.612831228455219e-08}}) {
     const auto& [filter, kinematics] = row.joint;
     EXPECT_NEAR(pairedTTest(kinematics, filter).p_value / row.paired, 1.0, 1e-11);
     EXPECT_NEAR(pooledTTest(kinematics, filter).p_value / row.pooled, 1.0, 1e-11);
