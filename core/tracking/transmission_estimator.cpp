@@ -20,6 +20,7 @@ constexpr double kFound = 0.999;      ///< prior probability of a change that wa
 constexpr double kLead = 5.0;         ///< log odds that one kind of change needs against the others
 constexpr double kLongDelay = 0.015;  ///< smallest delay that is subtracted from the stamps [s]
 constexpr double kOutlier = 9.0;      ///< upper bound of NIS over its degrees of freedom
+constexpr int kIntervals = 30;        ///< in the running mean of the time between observations
 
 Prior priorOf(const TrackingOptions& options) {
   const Vector3d one = Vector3d::Ones();
@@ -71,7 +72,8 @@ TransmissionEstimator::TransmissionEstimator(const robot::Description& robot, co
       prior_(priorOf(options)),
       regression_(prior_),
       changes_(regression_.widestPrecision(), changesOf(regression_), options.change_log_odds, kLead),
-      white_(options.pixel_noise_memory, 1.5 * options.camera_period) {
+      white_(options.pixel_noise_memory, 1.5 * options.camera_period),
+      period_(options.camera_period) {
   const Matrix3d coupling = transmission_.coupling();
   joints_from_travel_ = coupling.inverse() * Vector3d(transmission_.linkRadius()).cwiseInverse().asDiagonal();
   select();
@@ -167,18 +169,21 @@ void TransmissionEstimator::add(const Observation& seen) {
 
 void TransmissionEstimator::accumulate(double t, const Reading& reading) {
   if (segment_.count == 0) segment_start_ = t;
-  const double times = 2.0 * options_.cable_error_time / options_.camera_period;
+  const double times = 2.0 * options_.cable_error_time / period_;
   (void)segment_.add<3>(reading.h, reading.z, reading.white + times * reading.cables, regression_.sigma());
   // The first segments are short: with little information, there is nothing yet to compare a change with.
-  const double whole = std::clamp(0.25 * regression_.information().count * options_.camera_period,
-                                  options_.camera_period, kSegment);
-  if (segment_.count * options_.camera_period >= whole) closeSegment();
+  const double whole = std::clamp(0.25 * regression_.information().count * period_, period_, kSegment);
+  if (segment_.count * period_ >= whole) closeSegment();
 }
 
-/// Advances the time to t [s]. While cameras are silent, nothing is forgotten.
+/// Advances the time to t [s]. While cameras are silent, nothing is forgotten, and the period stays.
 void TransmissionEstimator::passTime(double t) {
-  const double longest = 2.0 * options_.camera_period;
-  if (started_) forgotten_ *= std::exp(-std::clamp(t - newest_, 0.0, longest) / options_.transmission_memory);
+  const double longest = 2.0 * options_.camera_period, passed = t - newest_;
+  if (started_) forgotten_ *= std::exp(-std::clamp(passed, 0.0, longest) / options_.transmission_memory);
+  if (started_ && passed > 0.0 && passed <= longest) {
+    intervals_ = std::min(intervals_ + 1, kIntervals);
+    period_ += (passed - period_) / intervals_;
+  }
   newest_ = started_ ? std::max(newest_, t) : t;
   started_ = true;
 }

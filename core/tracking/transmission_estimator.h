@@ -30,9 +30,10 @@ namespace capstan::tracking {
 /// error of the stamps. The camera errors are estimated too, because a rotated camera and a wrong pulley have
 /// the same effect until the arm has moved. Each has a prior, and a much wider one if cameras were moved
 /// (TrackingOptions). v is white noise, measured by WhiteNoise, plus J cable_error. cable_error keeps its
-/// sign for cable_error_time, so its covariance is multiplied by 2 cable_error_time / camera_period to count
-/// as independent noise per frame. Where innovations are larger than this model predicts, the weight of
-/// observations is reduced by the same factor.
+/// sign for cable_error_time, so its covariance is multiplied by 2 cable_error_time / T to count as
+/// independent noise per frame, where T is the measured time between observations: cameras of 30 images/s
+/// tell no more of a slow error than those of 15. Where innovations are larger than this model predicts, the
+/// weight of observations is reduced by the same factor.
 ///
 /// Scale, offset and compliance are zero unless there is evidence for them (SparseRegression). Observations
 /// of about one second form a segment. Each segment is first tested for a change: a camera that was moved, or
@@ -148,6 +149,8 @@ class TransmissionEstimator {
   double delay_ = 0.0;                         ///< delay subtracted from the stamps [s]
   double newest_ = 0.0, segment_start_ = 0.0;  ///< [s]
   double forgotten_ = 1.0;                     ///< forgetting factor since the last segment closed
+  double period_;                              ///< running mean of the time between observations [s]
+  int intervals_ = 0;                          ///< in that mean
   bool started_ = false;
 };
 

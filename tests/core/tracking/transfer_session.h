@@ -17,12 +17,15 @@ struct Session {
   std::vector<Sample> samples;
 };
 
-inline Session transfer(double duration, std::uint64_t seed, double occlusion = 0.0) {
+/// `occlusion` in percent, `rate` of the cameras [1/s].
+inline Session transfer(double duration, std::uint64_t seed, double occlusion = 0.0, double rate = 15.0) {
   simulation::SimulationRequest request;
   request.duration = duration;
   request.images = false;
   request.seed = seed;
-  simulation::SimulatedSource source(simulation::optionsOf(request));
+  simulation::SimulatedOptions options = simulation::optionsOf(request);
+  options.truth.cameras.rate = rate;
+  simulation::SimulatedSource source(options);
   const live::OcclusionSchedule schedule{.percentage = occlusion};
   Session session{source.info(), {}};
   double t = 0.0;

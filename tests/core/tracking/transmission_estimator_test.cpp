@@ -45,6 +45,24 @@ TEST(TransmissionEstimator, ARobotFileThatIsRightIsLeftAlone) {
         << joint;
 }
 
+/// An error that lasts for a second is not better known from more images of that second.
+TEST(TransmissionEstimator, FastCamerasTellNoMoreOfSlowErrors) {
+  const auto found = [](double rate) {
+    const Session session = transfer(120.0, 33, 0.0, rate);
+    const Tracked augmented = tracked(session, session.info.robot, FilterKind::kAugmented);
+    for (int joint = 0; joint < 3; ++joint) {
+      EXPECT_LT(augmented.report.errors.ukf().value()(joint),
+                augmented.report.errors.camera().value()(joint))
+          << rate << " " << joint;
+      EXPECT_FALSE(augmented.last.transmission.includesOffset(joint)) << rate << " " << joint;
+    }
+    return augmented.last.transmission;
+  };
+  const TransmissionEstimate slow = found(15.0), fast = found(90.0);
+  EXPECT_NEAR(fast.scale(0), 0.063095 / 0.059 - 1.0, 3.0 * fast.scale_sigma(0));
+  EXPECT_GT(fast.scale_sigma(0), 0.5 * slow.scale_sigma(0));
+}
+
 TEST(TransmissionEstimator, FindsAHomingOffset) {
   const Session& session = twoMinutes();
   const robot::Description robot = withRadius(session.info.robot, 0.059);
