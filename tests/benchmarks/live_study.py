@@ -113,7 +113,8 @@ class Laboratory:
         return at
 
     def run(self, *arguments):
-        subprocess.run([self.cli, *map(str, arguments)], check=True, stdout=subprocess.DEVNULL)
+        """Runs a command of capstan-cli; returns its standard output."""
+        return subprocess.run([self.cli, *map(str, arguments)], check=True, stdout=subprocess.PIPE, text=True).stdout
 
     def setup(self, motors, left="", right="", layout="two", latency=LATENCY, calibration=None):
         text = f"title: study\nmotors:\n  from: {motors}\n"
@@ -372,8 +373,7 @@ def relayed(lab, latency, begin):
 def over_ffmpeg(lab):
     """rows over TCP, two streams of ffmpeg, whose latency is found in a recording first"""
     recording = relayed(lab, 0.0, RecordedSession)
-    found = subprocess.run([lab.cli, "identify", recording.out, "--parameters", "r_l1", "--method", "dual-ukf", "--json", "-"],
-                           check=True, capture_output=True, text=True).stdout
+    found = lab.run("identify", recording.out, "--parameters", "r_l1", "--method", "dual-ukf", "--json", "-")
     latency = json.loads(found)["dual_ukf"]["camera"]["delay"]
     print(f"  latency of the relays by identify, from a recording: {1e3 * latency:.0f} ms")
     compare(lab, relayed(lab, latency, Session), played(lab))
