@@ -236,6 +236,8 @@ def compare(lab, session, sent):
               f"{1e3 * side['latency']['median']:.2f} ms, 99 % {1e3 * side['latency']['p99']:.2f} ms")
     print(f"  rows sent {sent['sent']}, tracked {motors.sum()}; pairs sent {sent.get('images', {}).get('sent', 0)}, "
           f"tracked {(table['camera'] != 0).sum()}")
+    if sent.get("images") and "gates" in session.report:
+        print(f"  camera samples by gate {session.report['gates']}, too late {session.report['late_dropped']}")
     whole = slice(round(0.1 * motors.sum()), None)
     say_rms("RMS error of the UKF, live", rms((table.joints("q_ukf", motors) - table.joints("q", motors))[whole]))
     say_rms("RMS error of the UKF, recording", rms((direct.joints("q_ukf", others) - direct.joints("q", others))[whole]))
