@@ -86,6 +86,8 @@ void TransmissionEstimator::reset() {
   misfit_ = 1.0;
   share_.reset();
   delay_ = 0.0;
+  period_ = options_.camera_period;
+  intervals_ = 0;
   restartClock();
   select();
 }
