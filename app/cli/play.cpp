@@ -161,10 +161,10 @@ bool waitForSubscribers(const live::RosPlayer& player, bool images, const PlayAr
   const auto wait = [&](Topics topics, const char* what) {
     if (player.waitForSubscribers(topics, patience, &progress)) return true;
     if (progress.cancelled()) return false;
-    refuseOption("--to", kRos,
-                 fmt::format("has no subscriber of {} after {} s; topics: {}", what, arguments.wait,
-                             player.words()),
-                 "Start the receiver first, for example: capstan-cli track --live resources/live/ros.yaml");
+    refuseOption(
+        "--to", kRos,
+        fmt::format("has no subscriber of {} after {} s; topics: {}", what, arguments.wait, player.words()),
+        "Start the receiver first, for example: capstan-cli track --live resources/live/ros.yaml");
   };
   notice(fmt::format("waiting for a subscriber of the {}: {}",
                      images && wait_for_images ? "motors and images" : "motors", player.words()));
@@ -209,16 +209,16 @@ std::string wordsOf(const live::ImagePlayReport& images, std::uint64_t pairs) {
   return text + fmt::format("; {} withheld by faults\n", images.withheld);
 }
 
-/// Number of pairs of images in the recording; `played` where it does not say it before.
+/// Number of pairs of images in the recording; of other recordings than sessions, of those played.
 std::uint64_t pairsOf(const std::string& file, const live::ImagePlayReport& played) {
   if (detectFormat(file) != RecordingFormat::kSession) return played.pairs();
   return static_cast<std::uint64_t>(recording::readSessionSummary(file).frames);
 }
 
 std::string wordsOf(const live::PlayReport& report, std::size_t rows, const std::string& to) {
-  std::string text = fmt::format("{} of {} rows sent to {} in {:.2f} s; {} withheld by faults; {} connection{}",
-                                 report.sent, rows, to, report.seconds, report.withheld, report.connections,
-                                 report.connections == 1 ? "" : "s");
+  std::string text = fmt::format(
+      "{} of {} rows sent to {} in {:.2f} s; {} withheld by faults; {} connection{}", report.sent, rows, to,
+      report.seconds, report.withheld, report.connections, report.connections == 1 ? "" : "s");
   if (report.lost > 0) text += fmt::format("; {} not sent while nobody listened", report.lost);
   return text + "\n";
 }

@@ -53,12 +53,12 @@ PlayReport playRows(const recording::MeasuredTable& table, std::unique_ptr<TcpSe
 struct ImagePlayReport {
   std::uint64_t sent = 0, withheld = 0;  ///< pairs of images
   std::uint64_t late = 0;                ///< of the sent ones, overdue by more than ImagePacer::kOverdue
-  std::uint64_t skipped = 0;             ///< overdue by more than that, and left out
+  std::uint64_t skipped = 0;             ///< overdue by more than that, and not sent
 
   std::uint64_t pairs() const { return sent + withheld + skipped; }
 };
 
-/// Waits until a pair of images is due. On a computer that is too slow it leaves out what is overdue, but for
+/// Waits until a pair of images is due. On a computer that is too slow it skips what is overdue, except for
 /// one in kOverdue.
 class ImagePacer {
  public:

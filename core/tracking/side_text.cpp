@@ -11,9 +11,12 @@ std::string counted(std::uint64_t count, const std::string& one) {
   return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
 }
 
-std::string because(const SideStatus& side) { return side.reason.empty() ? "" : ": " + side.reason; }
-
 }  // namespace
+
+std::string stateOf(const SideStatus& side, const std::string& how_long) {
+  return fmt::format("{} {}{}{}", side.part.empty() ? side.name : side.part + " camera",
+                     base::nameOf(side.state), how_long, side.reason.empty() ? "" : ": " + side.reason);
+}
 
 bool needsAttention(const SideStatus& side) {
   return side.state == State::kSilent || side.state == State::kFrozen || side.state == State::kRefused ||
@@ -25,11 +28,10 @@ std::string shortTextOf(const SideStatus& side) {
     case State::kWaiting:
       if (side.connected) return fmt::format("{}: connected at {}, no valid row yet", side.name, side.from);
       return side.reason.empty() ? fmt::format("{}: waiting at {}", side.name, side.from)
-                                 : fmt::format("{}: waiting{}", side.name, because(side));
+                                 : fmt::format("{}: waiting: {}", side.name, side.reason);
     case State::kSilent:
     case State::kFrozen:
-      return fmt::format("{} {} for {:.1f} s{}", side.part.empty() ? side.name : side.part + " camera",
-                         base::nameOf(side.state), side.silent_for, because(side));
+      return stateOf(side, fmt::format(" for {:.1f} s", side.silent_for));
     case State::kRefused:
       return fmt::format("{} refused: {}", side.name, side.fault);
     case State::kEnded:

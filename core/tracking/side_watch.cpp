@@ -16,9 +16,7 @@ std::string sentenceOf(const SideStatus& side, double silent_for) {
   if (side.state == State::kReceiving)
     return silent_for > 0.0 ? fmt::format("{} receiving again after {:.1f} s", side.name, silent_for)
                             : side.name + " receiving";
-  if (side.state == State::kSilent || side.state == State::kFrozen)
-    return fmt::format("{} {}{}", side.part.empty() ? side.name : side.part + " camera",
-                       base::nameOf(side.state), side.reason.empty() ? "" : ": " + side.reason);
+  if (side.state == State::kSilent || side.state == State::kFrozen) return stateOf(side);
   return shortTextOf(side);
 }
 

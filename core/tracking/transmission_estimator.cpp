@@ -181,10 +181,12 @@ void TransmissionEstimator::accumulate(double t, const Reading& reading) {
 /// Advances the time to t [s]. While cameras are silent, nothing is forgotten, and the period stays.
 void TransmissionEstimator::passTime(double t) {
   const double longest = 2.0 * options_.camera_period, passed = t - newest_;
-  if (started_) forgotten_ *= std::exp(-std::clamp(passed, 0.0, longest) / options_.transmission_memory);
-  if (started_ && passed > 0.0 && passed <= longest) {
-    intervals_ = std::min(intervals_ + 1, kIntervals);
-    period_ += (passed - period_) / intervals_;
+  if (started_) {
+    forgotten_ *= std::exp(-std::clamp(passed, 0.0, longest) / options_.transmission_memory);
+    if (passed > 0.0 && passed <= longest) {
+      intervals_ = std::min(intervals_ + 1, kIntervals);
+      period_ += (passed - period_) / intervals_;
+    }
   }
   newest_ = started_ ? std::max(newest_, t) : t;
   started_ = true;

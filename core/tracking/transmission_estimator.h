@@ -31,9 +31,9 @@ namespace capstan::tracking {
 /// the same effect until the arm has moved. Each has a prior, and a much wider one if cameras were moved
 /// (TrackingOptions). v is white noise, measured by WhiteNoise, plus J cable_error. cable_error keeps its
 /// sign for cable_error_time, so its covariance is multiplied by 2 cable_error_time / T to count as
-/// independent noise per frame, where T is the measured time between observations: cameras of 30 images/s
-/// tell no more of a slow error than those of 15. Where innovations are larger than this model predicts, the
-/// weight of observations is reduced by the same factor.
+/// independent noise per frame, where T is the measured time between observations: the information about a
+/// slow error grows with time, not with the number of images. Where innovations are larger than this model
+/// predicts, the weight of observations is reduced by the same factor.
 ///
 /// Scale, offset and compliance are zero unless there is evidence for them (SparseRegression). Observations
 /// of about one second form a segment. Each segment is first tested for a change: a camera that was moved, or

@@ -126,10 +126,9 @@ TEST_F(CliLive, ARobotOverTcpIsRecorded) {
   const std::string table = makeTable();
   const std::string at = "tcp://127.0.0.1:" + std::to_string(20000 + getpid() % 20000),
                     program = test::commandLineProgram();
-  const Ran both =
-      runShell("(sleep 0.5; " + program + " record --live " + at + " --duration 2 --out " +
-               path("live.capstan") + " --json " + path("record.json") + ") & " + program + " play " + table +
-               " --to " + at + " --fault repeat:0.05; wait");
+  const Ran both = runShell("(sleep 0.5; " + program + " record --live " + at + " --duration 2 --out " +
+                            path("live.capstan") + " --json " + path("record.json") + ") & " + program +
+                            " play " + table + " --to " + at + " --fault repeat:0.05; wait");
   ASSERT_TRUE(fs::exists(path("record.json"))) << both.err;
   const json record = json::parse(textOf("record.json"));
   EXPECT_EQ(record["lost"], 0);

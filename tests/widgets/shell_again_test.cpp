@@ -59,8 +59,7 @@ void identifyAndAccept(MainWindow& window, const SourceChoice& choice) {
     const auto& live = window.identification().live();
     return live.acceptable() && live.shown().recorded > choice.simulation.duration - 1.0;
   };
-  ASSERT_TRUE(QTest::qWaitFor(whole, 2 * kPatience))
-      << window.identification().words().toStdString();
+  ASSERT_TRUE(QTest::qWaitFor(whole, 2 * kPatience)) << window.identification().words().toStdString();
   window.identification().findChild<QPushButton*>("accept")->click();
   ASSERT_NEAR(radiusInUse(window), 0.059, 0.01 * 0.059);
 }

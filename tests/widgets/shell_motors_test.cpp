@@ -37,7 +37,6 @@ class FailingRobot final : public tracking::Source {
 
 QString titleOf(MainWindow& window, int joint) { return window.figure().plot(joint).header()->title(); }
 
-
 bool noted(MainWindow& window, const QString& words) {
   for (int row = 0; row < window.notes().rows(); ++row)
     if (window.notes().row(row).contains(words)) return true;

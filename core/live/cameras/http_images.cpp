@@ -84,8 +84,7 @@ class HttpImages::Reader {
         [&](const char* data, std::size_t size) { return keepFault([&] {
                                                     return take({data, size});
                                                   }); });
-    if (!result && !answered_)
-      keepFault([&]() -> bool { refuseSilence(); });
+    if (!result && !answered_) keepFault([&]() -> bool { refuseSilence(); });
     end();
   }
   [[noreturn]] void refuseSilence() const {
@@ -134,9 +133,9 @@ class HttpImages::Reader {
   const std::string address_;
   const HttpUrl url_;
   httplib::Client client_;
-  MultipartParser parser_;   ///< of the thread, as the next two
-  std::exception_ptr met_;   ///< fault of the stream
-  std::string otherwise_;    ///< what the server sends unless images follow; empty: it promises images
+  MultipartParser parser_;  ///< of the thread, as the next two
+  std::exception_ptr met_;  ///< fault of the stream
+  std::string otherwise_;   ///< what the server sends unless images follow; empty: it promises images
   std::atomic<bool> answered_{false}, quit_{false};
 
   std::mutex mutex_;  ///< protects the members below

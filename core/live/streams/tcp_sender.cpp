@@ -26,12 +26,13 @@ TcpSender::TcpSender(const Address& address)
   };
   setTimeout({1, 0});  // [s] of connecting: a computer that is off does not answer
   if (!socket_.isOpen() || ::connect(socket_.get(), reinterpret_cast<sockaddr*>(&to), sizeof to) != 0)
-    throw base::InputError({"",
-                            0,
-                            {},
-                            fmt::format("tcp://{}:{}", address.host, address.port),
-                            std::string("cannot be connected to: ") + std::strerror(errno == EINPROGRESS ? ETIMEDOUT : errno),
-                            "Start the program that listens there first"});
+    throw base::InputError(
+        {"",
+         0,
+         {},
+         fmt::format("tcp://{}:{}", address.host, address.port),
+         std::string("cannot be connected to: ") + std::strerror(errno == EINPROGRESS ? ETIMEDOUT : errno),
+         "Start the program that listens there first"});
   setTimeout({});  // a receiver may take its time
   const int yes = 1;
   ::setsockopt(socket_.get(), IPPROTO_TCP, TCP_NODELAY, &yes, sizeof yes);

@@ -117,8 +117,7 @@ TEST_F(HttpServer, WhatIsNoMotionJpegIsLeftToFfmpeg) {
   answer("/page", "text/html", "<html></html>");
   answer("/video", "video/mp4", std::string(100000, 'v'));
   answer("/unknown", "application/octet-stream", std::string(100000, 'v'));
-  server_.Get("/secret",
-              [](const httplib::Request&, httplib::Response& response) { response.status = 401; });
+  server_.Get("/secret", [](const httplib::Request&, httplib::Response& response) { response.status = 401; });
   for (const auto& [path, words] : {std::pair{"/page", "the server sends text/html"},
                                     {"/video", "the server sends video/mp4"},
                                     {"/unknown", "the server sends application/octet-stream"},
@@ -136,9 +135,9 @@ TEST_F(HttpServer, WhatIsNoMotionJpegIsLeftToFfmpeg) {
 }
 
 TEST_F(HttpServer, APasswordThatIsRefusedIsNotAskedForAgain) {
-  server_.Get("/secret",
-              [](const httplib::Request&, httplib::Response& response) { response.status = 401; });
-  const auto opened = HttpImages::open("http://user:wrong@127.0.0.1:" + std::to_string(port_) + "/secret", 2s);
+  server_.Get("/secret", [](const httplib::Request&, httplib::Response& response) { response.status = 401; });
+  const auto opened =
+      HttpImages::open("http://user:wrong@127.0.0.1:" + std::to_string(port_) + "/secret", 2s);
   EXPECT_EQ(opened.other, "the server refuses this user name and password");
 }
 
@@ -163,9 +162,9 @@ TEST(HttpUrl, PartsOfAnAddress) {
   EXPECT_EQ(parseHttpUrl("http://camera?x").path, "/?x");
   EXPECT_EQ(parseHttpUrl("http://u:100%@camera").password, "100%") << "not a character in %XX";
   EXPECT_EQ(parseHttpUrl("http://[::1]/").port, 80);
-  for (const char* wrong : {"http://", "http://:80/", "http://camera:0/", "http://camera:65536/", "http://camera:/",
-                            "http://camera:8o/", "http://[::1/", "http://[::1]8081/", "http://[::1]x:80/",
-                            "http://lab:a/b@cam/x"})
+  for (const char* wrong : {"http://", "http://:80/", "http://camera:0/", "http://camera:65536/",
+                            "http://camera:/", "http://camera:8o/", "http://[::1/", "http://[::1]8081/",
+                            "http://[::1]x:80/", "http://lab:a/b@cam/x"})
     EXPECT_THROW(parseHttpUrl(wrong), base::InputError) << wrong;
 }
 
@@ -189,7 +188,8 @@ TEST_F(HttpServer, FollowsRedirectsAndSendsAPassword) {
     else
       response.status = 403;
   });
-  EXPECT_TRUE(HttpImages::open("http://user:secret@127.0.0.1:" + std::to_string(port_) + "/moved", 2s).images);
+  EXPECT_TRUE(
+      HttpImages::open("http://user:secret@127.0.0.1:" + std::to_string(port_) + "/moved", 2s).images);
   EXPECT_NE(faultOf("/moved").find("403"), std::string::npos);
 }
 

@@ -45,14 +45,13 @@ TEST(TransmissionEstimator, ARobotFileThatIsRightIsLeftAlone) {
         << joint;
 }
 
-/// An error that lasts for a second is not better known from more images of that second.
-TEST(TransmissionEstimator, FastCamerasTellNoMoreOfSlowErrors) {
+/// More images of the same second do not reduce the uncertainty about an error that lasts for a second.
+TEST(TransmissionEstimator, FastCamerasDoNotOverestimateTheInformationAboutSlowErrors) {
   const auto found = [](double rate) {
     const Session session = transfer(120.0, 33, 0.0, rate);
     const Tracked augmented = tracked(session, session.info.robot, FilterKind::kAugmented);
     for (int joint = 0; joint < 3; ++joint) {
-      EXPECT_LT(augmented.report.errors.ukf().value()(joint),
-                augmented.report.errors.camera().value()(joint))
+      EXPECT_LT(augmented.report.errors.ukf().value()(joint), augmented.report.errors.camera().value()(joint))
           << rate << " " << joint;
       EXPECT_FALSE(augmented.last.transmission.includesOffset(joint)) << rate << " " << joint;
     }
