@@ -45,8 +45,9 @@ void WhiteNoise::addDifference(const Residual& now, const Matrix3d& stated) {
   const double weight = size > kOutlier ? kOutlier / size : 1.0;
   // E[v vᵀ] of the measurement's part v of the difference.
   const Matrix3d part = weight * r * weighted * weighted.transpose() * r + r - r * expected.solve(r);
-  differences_ = std::min(differences_ + 1, memory_);
-  measured_ += (part - measured_) / differences_;
+  // The weights of the differences rise to a memory's: while s is not known yet, R is too large.
+  differences_ = std::min(differences_ + 1, 2 * memory_);
+  measured_ += 2.0 / (differences_ + 1) * (part - measured_);
 
   const Matrix3d share = clock * expected.solve(speeds);
   const double score = 0.5 * (weight * clock * weighted.dot(speeds * weighted) - share.trace());
