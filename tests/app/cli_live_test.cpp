@@ -119,6 +119,9 @@ TEST_F(CliLive, PlayWaitsForItsReceiverAndNoLonger) {
   EXPECT_NE(alone.err.find("waiting for a program that listens at tcp://127.0.0.1:1"), std::string::npos)
       << alone.err;
   EXPECT_NE(alone.err.find("cannot be connected to"), std::string::npos) << alone.err;
+  const Ran images = run("play " + makeTable() + " --video http://127.0.0.1:0 --wait 3");
+  EXPECT_EQ(images.exit, 2);
+  EXPECT_NE(images.err.find("--wait requires --to"), std::string::npos) << images.err;
 }
 
 /// `play` is the robot of another process; it waits until the port is open.
