@@ -69,15 +69,6 @@ TEST_F(CliRos, ABagHasTheNumbersOfItsSession) {
   EXPECT_NE(info.out.find("sensor_msgs/JointState"), std::string::npos) << info.out;
 }
 
-TEST_F(CliRos, ABagSaysThatItHasNoEvents) {
-  if (lacks("rosbag")) GTEST_SKIP() << "ROS 1 is not installed";
-  ASSERT_EQ(run("record --live - --out " + path("live.capstan") + " <" + path("row.csv")).exit, 0);
-  const Ran to = run("convert " + path("live.capstan") + " " + path("live.bag"));
-  EXPECT_EQ(to.exit, 0) << to.err;
-  EXPECT_NE(to.err.find("of the session are excluded: a bag has no topic for them"), std::string::npos)
-      << to.err;
-}
-
 TEST_F(CliRos, ImagesOfABagAreThoseOfItsSession) {
   if (lacks("rosbag")) GTEST_SKIP() << "ROS 1 is not installed";
   ASSERT_EQ(run("simulate --duration 1 --out " + path("a.capstan")).exit, 0);

@@ -57,7 +57,9 @@ TEST(StatusLine, ALongReasonLeavesRoomForTheOtherParts) {
   EXPECT_NE(line.text().indexOf(QString::fromStdString(cameras.reason)), -1)
       << "the tool tip has the whole text";
   for (const auto* label : line.findChildren<QLabel*>())
-    if (label->text().startsWith("NIS")) EXPECT_GE(label->width(), label->sizeHint().width());
+    if (label->text().startsWith("NIS")) {
+      EXPECT_GE(label->width(), label->sizeHint().width());
+    }
 }
 
 TEST(StatusLine, ReadsAsOneLine) {
