@@ -90,11 +90,15 @@ std::unique_ptr<tracking::Source> open(const ConvertArguments& arguments, Record
 }
 
 std::string writeBag(const ConvertArguments& arguments, RecordingFormat format, base::Progress& progress) {
-  const std::string created = format == RecordingFormat::kSession
-                                  ? recording::readSessionSummary(arguments.in).header.created
-                                  : std::string();
-  const ros1::BagReport bag =
-      ros1::exportBag(*open(arguments, format), arguments.out, secondsOfIso(created), &progress);
+  const auto session = format == RecordingFormat::kSession ? recording::readSessionSummary(arguments.in)
+                                                           : recording::SessionSummary();
+  const ros1::BagReport bag = ros1::exportBag(*open(arguments, format), arguments.out,
+                                              secondsOfIso(session.header.created), &progress);
+  if (session.events > 0)
+    notice(
+        fmt::format("{} events of the session are excluded: a bag has no topic for them; --to csv-folder "
+                    "writes them",
+                    session.events));
   return fmt::format("{} motor samples, {} joint samples, {} tips, {} images", bag.motors, bag.joints,
                      bag.tips, bag.images);
 }

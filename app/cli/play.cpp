@@ -282,14 +282,15 @@ void addPlay(CLI::App& app, ExitCode& exit) {
   CLI::App* command =
       app.add_subcommand("play", "Send a recording in real time, as a robot would, with faults on request");
   command->add_option("FILE", arguments->file, recording::recordingKinds())->required();
-  command->add_option("--to", arguments->to,
-                      "receiver of the rows, as in tcp://127.0.0.1:5555;\n"
-                      "ros: topics of a ROS 1 system, with the images");
+  CLI::Option* to = command->add_option("--to", arguments->to,
+                                        "receiver of the rows, as in tcp://127.0.0.1:5555;\n"
+                                        "ros: topics of a ROS 1 system, with the images");
   command->add_option("--video", arguments->video,
                       "serve the images of a session (Motion JPEG), as in http://127.0.0.1:8081; they go on\n"
                       "while nobody takes the rows, which are tried again every 0.5 s");
   command->add_option("--wait", arguments->wait, "longest time to wait for the receiver of --to [s]")
       ->capture_default_str()
+      ->needs(to)
       ->check(CLI::Range(0.0, 86400.0));
   command->add_flag(
       "--wait-for-images", arguments->wait_for_images,

@@ -63,6 +63,7 @@ CameraSide::CameraSide(const CamerasSetup& setup, SessionClock clock, SampleQueu
   for (const std::string& address : addresses_) {
     status_.from += (status_.from.empty() ? "" : ", ") + withoutPassword(address);
     const bool later = isNetworkStream(address) || isRosTopic(address);
+    if (later && !isRosTopic(address)) backlogs_[first_.size()].emplace();
     first_.push_back(later ? nullptr : std::make_unique<VideoStream>(address, settingsOf(setup)));
   }
   files_ = std::ranges::all_of(first_, [](const auto& video) { return video && video->isFile(); });
@@ -169,6 +170,7 @@ std::uint64_t CameraSide::catchUp(VideoStream& video) const {
 
 void CameraSide::readStream(int stream, VideoStream& video) {
   noteConnections(stream, 1);
+  noteOpened(stream);
   if (video.isFile()) waitForSession();
   cv::Mat image;
   std::uint64_t passed_over = 0;
@@ -184,6 +186,11 @@ void CameraSide::readStream(int stream, VideoStream& video) {
   }
   const std::lock_guard lock(mutex_);
   status_.dropped += passed_over;  // before the end of the file
+}
+
+void CameraSide::noteOpened(int stream) {
+  const std::lock_guard lock(mutex_);
+  if (auto& backlog = backlogs_[static_cast<std::size_t>(stream)]) backlog->restart();
 }
 
 void CameraSide::noteReason(int stream, std::string reason) {
@@ -223,6 +230,19 @@ void CameraSide::workOnTopic(int stream, const std::string& topic) {
       noteReason(stream, "ros:" + topic + ": " + error.what());
     }
   }
+}
+
+/// Whether an image of either stream has waited: the other's images have no partners then. The image with which
+/// the waiting ends has none, either.
+bool CameraSide::anyWaits(int stream, const Times& times) {
+  auto& own = backlogs_[static_cast<std::size_t>(stream)];
+  if (!own || times.stamp != 0) return false;
+  const auto waits = [&] {
+    return std::ranges::any_of(backlogs_, [](const auto& backlog) { return backlog && backlog->waits(); });
+  };
+  const bool before = waits();
+  own->add(std::chrono::duration<double>(times.arrival - start_).count());
+  return before || waits();
 }
 
 /// Time by which images are paired [s]: the session's of files, else that of ImageClock.
@@ -284,7 +304,7 @@ void CameraSide::take(int stream, const cv::Mat& image, const Times& times, std:
   status_.state = State::kReceiving;
   ++status_.received;
   const double t = pairingTime(stream, times);
-  if (!running) {
+  if (!running || anyWaits(stream, times)) {
     newest.change = times.arrival;
     return;
   }

@@ -9,6 +9,7 @@
 #include <thread>
 #include <vector>
 
+#include "core/live/cameras/backlog.h"
 #include "core/live/cameras/frame_pairer.h"
 #include "core/live/cameras/video_stream.h"
 #include "core/live/image_clock.h"
@@ -30,8 +31,9 @@ class TopicHint;
 /// Images of ROS topics, and of Motion JPEG over HTTP with X-Timestamp, are paired by their stamps
 /// (ImageClock). The stamps are the times where they are by the clock of the motors' stamps, or by this
 /// computer's clock; else their clock is mapped to this computer's. Other images are paired by the times at
-/// which their driver had them, or at which they arrived. A reader that is behind drops images; their pairs
-/// are counted as dropped.
+/// which their driver had them, or at which they arrived; where network streams have no stamps, images that
+/// have waited on their way (Backlog) are not passed on, and not counted. A reader that is behind drops
+/// images; their pairs are counted as dropped.
 class CameraSide {
  public:
   using Clock = std::chrono::steady_clock;
@@ -59,6 +61,7 @@ class CameraSide {
   void noteHint(int stream, TopicHint& hint);
   void noteReason(int stream, std::string reason);
   void noteConnections(int stream, std::uint64_t count);
+  void noteOpened(int stream);
   void readStream(int stream, VideoStream& video);
   /// When an image came. A stamp is by the clock of the device.
   struct Times {
@@ -68,6 +71,7 @@ class CameraSide {
   };
   /// `lost`: number of images of the stream that were dropped before this one.
   void take(int stream, const cv::Mat& image, const Times& times, std::uint64_t lost);
+  bool anyWaits(int stream, const Times& times);
   double pairingTime(int stream, const Times& times);
   Clock::time_point computerTime(double pairing_time) const;
   std::optional<Clock::time_point> observeStamp(std::int64_t stamp, Clock::time_point by_arrival);
@@ -96,8 +100,9 @@ class CameraSide {
   struct Newest {
     Clock::time_point image, change;  ///< arrival of the newest image, and of the newest that was not frozen
   };
-  std::array<Newest, 2> newest_;        ///< by stream
-  std::array<std::string, 2> reasons_;  ///< why nothing comes from a stream; empty: not known
+  std::array<Newest, 2> newest_;                    ///< by stream
+  std::array<std::string, 2> reasons_;              ///< why nothing comes from a stream; empty: not known
+  std::array<std::optional<Backlog>, 2> backlogs_;  ///< of network streams
   ImageClock clock_;
   ClockAgreement with_motors_, with_computer_;  ///< of the stamps of the images
   std::chrono::nanoseconds computer_since_{0};  ///< beginning of this computer's steady clock since 1970

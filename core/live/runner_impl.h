@@ -62,6 +62,7 @@ class Runner::Impl {
     post([this, mode] {
       if (mode_ == Mode::kDone) return;
       mode_ = mode == RunState::kRunning ? Mode::kRun : Mode::kPause;
+      begun_ = begun_ || mode_ == Mode::kRun;
       pacer_.restart();
       meter_.restart();
     });
@@ -71,6 +72,7 @@ class Runner::Impl {
     post([this] {
       if (mode_ == Mode::kDone) return;
       mode_ = Mode::kStep;
+      begun_ = true;
       step_end_ = t_ + kStepWithoutCameras;
     });
   }
@@ -262,7 +264,7 @@ class Runner::Impl {
 
   void rest() {
     if (info_.real_time) {
-      source_->discard();  // what comes during a pause is not tracked afterwards
+      if (begun_) source_->discard();  // what comes during a pause is not tracked afterwards
       publishStatus(false);
     }
     std::unique_lock lock(mutex_);
@@ -369,6 +371,7 @@ class Runner::Impl {
 
   // The pipeline's thread.
   Mode mode_ = Mode::kPause;
+  bool begun_ = false;  ///< it has run before
   double speed_ = 1.0;
   double t_ = 0.0, motor_t_ = 0.0;
   double step_end_ = 0.0;

@@ -4,7 +4,10 @@
 
 #include <array>
 #include <cmath>
+#include <future>
 #include <limits>
+#include <optional>
+#include <span>
 
 #include "core/base/yaml.h"
 #include "core/recording/schema.h"
@@ -25,7 +28,7 @@ class SessionSource::Impl {
   explicit Impl(const std::filesystem::path& path) : path_(path), database_(openSession(path)) {
     try {
       readInfo();
-      codecs_ = readCodecs(database_, path.string());
+      for (auto& codecs : codecs_) codecs = readCodecs(database_, path.string());
       for (int which = 0; which < kReplayed; ++which) {
         rows_[static_cast<std::size_t>(which)] =
             std::make_unique<Statement>(rowsOf(database_, table(static_cast<SampleTable>(which))));
@@ -102,20 +105,31 @@ class SessionSource::Impl {
   }
 
   /// Returns images in memory of this source, so that samples of other kinds in between do not release it.
+  /// Decoding takes more than half of the time of tracking a recording: the right image has its own thread.
   void readFrame(const Statement& row, tracking::Sample& out) {
     out = tracking::StereoFrame{row.real(1), row.real(2), {}, {}};
     auto& frame = std::get<tracking::StereoFrame>(out);
     const std::int64_t codec = row.integer(3);
-    frame.left = unpack(row, 6, codec, 0, frame.t);
-    frame.right = unpack(row, 7, codec, 1, frame.t);
+    const Packet left = packetOf(row, 6), right = packetOf(row, 7);
+    std::future<cv::Mat> other;
+    if (left && right)
+      other = std::async(std::launch::async, [&] { return unpack(right, codec, 1, frame.t); });
+    frame.left = unpack(left, codec, 0, frame.t);
+    frame.right = other.valid() ? other.get() : unpack(right, codec, 1, frame.t);
   }
 
-  cv::Mat unpack(const Statement& row, int column, std::int64_t codec, int side, double t) {
-    if (row.isNull(column)) return {};
+  using Packet = std::optional<std::span<const std::uint8_t>>;  ///< nothing: there is no image
+  static Packet packetOf(const Statement& row, int column) {
+    return row.isNull(column) ? Packet() : Packet(row.blob(column));
+  }
+
+  cv::Mat unpack(const Packet& packet, std::int64_t codec, int side, double t) {
+    if (!packet) return {};
+    auto& codecs = codecs_[static_cast<std::size_t>(side)];
     cv::Mat& image = images_[static_cast<std::size_t>(side)];
     if (image.u && image.u->refcount > 1) image = cv::Mat();  // the last image is still in use elsewhere
-    const auto decoder = codecs_.find(codec);
-    if (decoder == codecs_.end() || !decoder->second.decode(row.blob(column), image))
+    const auto decoder = codecs.find(codec);
+    if (decoder == codecs.end() || !decoder->second.decode(*packet, image))
       throw base::InputError({path_.string(), 0, side == 0 ? "frame.left" : "frame.right",
                               fmt::format("t = {} s", t), "is a damaged image",
                               "Restore the file from a copy"});
@@ -126,7 +140,7 @@ class SessionSource::Impl {
   const std::filesystem::path path_;
   Database database_;
   tracking::SourceInfo info_;
-  std::map<std::int64_t, FrameDecoder> codecs_;
+  std::array<std::map<std::int64_t, FrameDecoder>, 2> codecs_;  ///< of each camera
   std::array<std::unique_ptr<Statement>, kReplayed> rows_;
   std::array<std::int64_t, kReplayed> next_ = {-1, -1, -1, -1};
   std::array<bool, 2> blocked_{};

@@ -36,10 +36,10 @@ Matrix3d CameraNoise::ofTip(const Vector3d& tip) const {
   return options_.tip_sigma.cwiseAbs2().asDiagonal().toDenseMatrix() + ofRegistration(tip);
 }
 
-Matrix3d CameraNoise::ofJoints(const JointObservation& seen, const Vector3d& speed) const {
+Matrix3d CameraNoise::ofJoints(const JointObservation& seen, const Vector3d& speed, double clock) const {
   if (options_.camera_noise == CameraNoiseKind::kConstant)
     return options_.constant_camera_sigma.cwiseAbs2().asDiagonal();
-  const Vector3d late = options_.camera_clock_sigma * speed;
+  const Vector3d late = clock * speed;
   Matrix3d r = seen.covariance + late * late.transpose();
   r.diagonal() += options_.camera_sigma_floor.cwiseAbs2();
   return r;

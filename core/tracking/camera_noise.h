@@ -57,8 +57,9 @@ class CameraNoise {
   Eigen::Matrix3d ofImagedTip(const Eigen::Vector3d& tip, const Eigen::Matrix3d& pixels) const;
   /// Sigma_p of a tip that another system measured [m²]: tip_sigma² in place of ratio · Sigma_pixels.
   Eigen::Matrix3d ofTip(const Eigen::Vector3d& tip) const;
-  /// R of `seen`, whose covariance is J⁻¹ Sigma_p J⁻ᵀ; the joints move at `speed` [rad/s, rad/s, m/s].
-  Eigen::Matrix3d ofJoints(const JointObservation& seen, const Eigen::Vector3d& speed) const;
+  /// R of `seen`, whose covariance is J⁻¹ Sigma_p J⁻ᵀ; the joints move at `speed` [rad/s, rad/s, m/s], and
+  /// time stamps have the standard deviation `clock` [s].
+  Eigen::Matrix3d ofJoints(const JointObservation& seen, const Eigen::Vector3d& speed, double clock) const;
 
  private:
   Eigen::Matrix3d ofRegistration(const Eigen::Vector3d& tip) const;

@@ -70,6 +70,10 @@ double TrackingPipeline::Impl::exposureOf(double stamp) const {
   return cameras_.time(stamp) - options_.camera_delay - (slow_ ? slow_->delay() : 0.0);
 }
 
+double TrackingPipeline::Impl::clockSigma() const {
+  return slow_ ? slow_->clockSigma() : options_.camera_clock_sigma;
+}
+
 void TrackingPipeline::Impl::beginCamera(double t, double t_arrival, bool images) {
   snapshot_.camera_updated = true;
   snapshot_.camera_images = images;
@@ -111,7 +115,7 @@ void TrackingPipeline::Impl::observeTip(const Vector3d& tip, const Matrix3d& cov
     return;
   }
   const Filter::State mean = (*state)->mean();
-  seen->covariance = noise_.ofJoints(*seen, Vector3d(mean(1), mean(3), mean(5)));
+  seen->covariance = noise_.ofJoints(*seen, Vector3d(mean(1), mean(3), mean(5)), clockSigma());
   snapshot_.q_link_cam = seen->position;
   snapshot_.q_link_cam_sigma = seen->covariance.diagonal().cwiseSqrt();
   if (const JointSet frozen = watch_.see(t, seen->position, seen->covariance, *kinematic); frozen != 0)
@@ -161,7 +165,7 @@ void TrackingPipeline::Impl::observeRay(const vision::CameraRay& ray,
   const Matrix3d covariance = cameras_.covariance(rotation * ray.covariance(expected) * rotation.transpose());
   auto seen = observeJoints(arm_, tip, noise_.ofImagedTip(tip, covariance), q);
   if (!seen) return;
-  seen->covariance = noise_.ofJoints(*seen, speed);
+  seen->covariance = noise_.ofJoints(*seen, speed, clockSigma());
   const Vector3d direction = rotation * ray.direction;
   std::optional<TransmissionEstimator::Observation> slow;
   if (slow_) {

@@ -123,6 +123,7 @@ class TrackingPipeline::Impl {
   void take(const StereoFrame& frame);
   void take(const TipSample& sample);
   double exposureOf(double stamp) const;
+  double clockSigma() const;
   void beginCamera(double t, double t_arrival, bool images);
   bool areExchanged(const vision::Triangulation& tip) const;
   void observeImagedTip(const vision::Triangulation& found, const Eigen::Isometry3d& base_from_camera);

@@ -72,7 +72,7 @@ TransmissionEstimator::TransmissionEstimator(const robot::Description& robot, co
       prior_(priorOf(options)),
       regression_(prior_),
       changes_(regression_.widestPrecision(), changesOf(regression_), options.change_log_odds, kLead),
-      white_(options.pixel_noise_memory, 1.5 * options.camera_period),
+      white_(options.pixel_noise_memory, 1.5 * options.camera_period, options.camera_clock_sigma),
       period_(options.camera_period) {
   const Matrix3d coupling = transmission_.coupling();
   joints_from_travel_ = coupling.inverse() * Vector3d(transmission_.linkRadius()).cwiseInverse().asDiagonal();
@@ -125,7 +125,7 @@ auto TransmissionEstimator::reading(const Observation& seen) const -> Reading {
       jacobian * joints_from_travel_ * stretch.asDiagonal(), -cross(seen.tip - hard_stop_),
       Matrix3d::Identity(), seen.tip - hard_stop_, -jacobian * seen.dq;
   reading.z = seen.tip - arm_.tip(seen.q) + reading.h * used_;
-  reading.white = white_.value(seen.noise) + seen.open;
+  reading.white = white_.value(seen.noise, jacobian * seen.dq) + seen.open;
   reading.cables = jacobian * options_.cable_error.cwiseAbs2().asDiagonal() * jacobian.transpose();
   return reading;
 }
@@ -162,7 +162,7 @@ void TransmissionEstimator::add(const Observation& seen) {
   if (segment_.count > 0 && seen.t - segment_start_ > kLongestSegment) closeSegment();
   const Reading reading = this->reading(seen);
   const Innovation innovation = this->innovation(reading);
-  white_.add(seen.t, innovation.value, seen.noise);
+  white_.add(seen.t, innovation.value, reading.h.col(kDelay), seen.noise);
   share_.add(innovation.nis / 3.0);
   judgeFit(reading);
   passTime(seen.t);

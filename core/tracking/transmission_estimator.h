@@ -79,6 +79,8 @@ class TransmissionEstimator {
 
   /// Known part of the time stamps' delay after exposure, beyond camera_delay [s].
   double delay() const { return delay_; }
+  /// Measured standard deviation of the time stamps of camera samples [s].
+  double clockSigma() const { return white_.clockSigma(); }
   /// Correction of the motor positions.
   const MotorCorrection& correction() const { return correction_; }
   const TransmissionEstimate& estimate() const { return estimate_; }

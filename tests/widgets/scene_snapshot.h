@@ -48,6 +48,7 @@ inline tracking::Snapshot snapshotAt(const robot::ArmKinematics& arm, double t, 
   s.tip_ukf = s.tip_kin = s.tip_cam = arm.tip(q);
   s.tip_ukf_covariance = sigma.cwiseAbs2().asDiagonal();
   s.gate = tracking::Gate::kOpen;
+  s.camera_images = true;
   for (auto& marker : s.marker) marker.fault = vision::MarkerFault::kNone;
   return s;
 }

@@ -97,6 +97,10 @@ TEST_F(SceneWindow, LostCameraTurnsAmber) {
   view.showSnapshot(snapshot);
   const int after = test::count(view.image(), view.rect(), Theme::dark().warning, 40).pixels;
   EXPECT_GT(after, before + 80);
+  snapshot.camera_images = false;
+  view.showSnapshot(snapshot);
+  const int without = test::count(view.image(), view.rect(), Theme::dark().warning, 40).pixels;
+  EXPECT_LT(without, before + 40) << "before the first image, nothing is lost";
 }
 
 TEST_F(SceneWindow, TrailFollowsTheTipAndEndsAfterItsSeconds) {

@@ -34,6 +34,34 @@ live::RunStatus running() {
   return status;
 }
 
+TEST(StatusLine, ALongReasonLeavesRoomForTheOtherParts) {
+  StatusLine line;
+  live::RunStatus status = running();
+  tracking::SideStatus cameras;
+  cameras.name = "cameras";
+  cameras.state = tracking::SideStatus::State::kSilent;
+  cameras.reason =
+      "http://192.168.100.100:8080/stream/of/the/left/camera: no server answers there. Start the camera's "
+      "server, or correct the address";
+  status.sides = {cameras};
+  status.recorder = recording::RecorderStats();
+  line.resize(900, 24);
+  line.showSnapshot(calm());
+  line.showStatus(status, 65.0);
+  line.show();
+  test::leave(line.grab().toImage(), "status_line_long_reason");
+  int right = 0;
+  for (const auto* label : line.findChildren<QLabel*>())
+    if (label->isVisible()) right = std::max(right, label->geometry().right());
+  EXPECT_LE(right, line.width());
+  EXPECT_NE(line.text().indexOf(QString::fromStdString(cameras.reason)), -1)
+      << "the tool tip has the whole text";
+  for (const auto* label : line.findChildren<QLabel*>())
+    if (label->text().startsWith("NIS")) {
+      EXPECT_GE(label->width(), label->sizeHint().width());
+    }
+}
+
 TEST(StatusLine, ReadsAsOneLine) {
   StatusLine line;
   line.showSnapshot(calm());

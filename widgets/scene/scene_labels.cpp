@@ -48,12 +48,13 @@ void drawCameraLabels(QPainter& painter, const SceneCaptions& captions, const Or
     if (captions.cameras[side]) at[side] = camera.project(*captions.cameras[side], size);
   if (!at[0] || !at[1]) return;
   for (std::size_t side = 0; side < 2; ++side) {
-    const QString name = QString(side == 0 ? "L" : "R") + (captions.seen[side] ? "" : " lost");
+    const QString name =
+        QString(side == 0 ? "L" : "R") + (captions.marker[side] == MarkerSight::kLost ? " lost" : "");
     const QSizeF extent(painter.fontMetrics().horizontalAdvance(name) + 8, painter.fontMetrics().height());
     const bool leftmost = at[side]->x() < at[1 - side]->x();  // labels stand outside the pair
     const QRectF box(*at[side] + QPointF(leftmost ? -extent.width() - 3 : 3, 5), extent);
     painter.setPen(Qt::NoPen);
-    painter.setBrush(captions.seen[side] ? theme.colour(Quantity::kCamera) : theme.warning);
+    painter.setBrush(colourOf(captions.marker[side], theme));
     painter.drawRoundedRect(box, 3, 3);
     painter.setPen(QColor("#15181c"));
     painter.drawText(box, Qt::AlignCenter, name);

@@ -180,13 +180,13 @@ void SceneView::draw() {
     const double scale = kEllipsoidSigmas * captions_.ellipsoid_scale;
     pose.ellipsoid = scale * scale * snapshot_->tip_ukf_covariance;
     captions_.tip_sigma = snapshot_->tip_ukf_covariance.diagonal().cwiseSqrt();
-    for (std::size_t side = 0; side < 2; ++side) captions_.seen[side] = snapshot_->marker[side].found();
+    for (std::size_t side = 0; side < 2; ++side) captions_.marker[side] = sightOf(*snapshot_, side);
   }
   for (int i = 0; i < 4; ++i) pose.frames[static_cast<std::size_t>(i)] = arm_->frame(i, q);
   for (int i = 0; i < 3; ++i)
     pose.cables[static_cast<std::size_t>(i)] = tension_.colour(captions_.tension(i));
   pose.tip = arm_->tip(q);
-  pose.seen = captions_.seen;
+  pose.marker = captions_.marker;
   for (const auto& point : trail_) pose.trail.push_back(point.tip);
   renderer_->pose(pose);
   image_ = renderer_->render(camera_, (QSizeF(size()) * devicePixelRatioF()).toSize());

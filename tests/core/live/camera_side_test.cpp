@@ -211,7 +211,6 @@ TEST_F(CameraSideOfAVideo, NoImageComesBeforeTheMotorsOfItsExposure) {
   }
 }
 
-/// Two network cameras whose images the test publishes, thirty times a second.
 /// A session that began at `start`.
 CameraSide::SessionClock clockSince(CameraSide::Clock::time_point start) {
   return {[start](CameraSide::Clock::time_point t) -> std::optional<double> {
@@ -222,6 +221,7 @@ CameraSide::SessionClock clockSince(CameraSide::Clock::time_point start) {
           {}};
 }
 
+/// Two network cameras whose images the test publishes, thirty times a second.
 class NetworkCameras : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -276,6 +276,29 @@ TEST_F(NetworkCameras, StampsAreTheTimes) {
     ++frames;
   }
   EXPECT_EQ(cameras_->status().unpaired, 0U);
+}
+
+/// A relay sends the images of a second at once when the session begins, and after a silence.
+TEST_F(NetworkCameras, WithoutStampsImagesThatHaveWaitedAreNotUsed) {
+  for (const int round : {1, 2}) {
+    const auto begin = CameraSide::Clock::now();
+    const auto passed = [&] {
+      return std::chrono::duration<double>(CameraSide::Clock::now() - begin).count();
+    };
+    int frames = 0;
+    for (bool burst = true; frames < 5 && passed() < 20.0; burst = passed() < 0.3) {
+      server_.publish(newImage(), newImage());
+      std::this_thread::sleep_for(burst ? 5ms : 33ms);
+      for (tracking::Sample sample; queue_.ready(0ms); ++frames) {
+        queue_.take(sample);
+        EXPECT_GT(passed(), 0.4) << round;
+      }
+    }
+    EXPECT_EQ(frames, 5) << round;
+    std::this_thread::sleep_for(500ms);
+  }
+  EXPECT_EQ(cameras_->status().unpaired, 0U);
+  EXPECT_EQ(cameras_->status().dropped, 0U);
 }
 
 /// The right one's address is wrong.

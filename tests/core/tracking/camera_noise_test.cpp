@@ -100,7 +100,7 @@ TEST(CameraNoise, IsTheSpreadOfJointsOverDrawnErrors) {
   }
   const auto seen = observeJoints(arm, tip, noise.ofImagedTip(tip, pixels), q);
   ASSERT_TRUE(seen);
-  const Matrix3d r = noise.ofJoints(*seen, speed);
+  const Matrix3d r = noise.ofJoints(*seen, speed, options.camera_clock_sigma);
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j)
       EXPECT_NEAR(spread(i, j), r(i, j), 0.03 * std::sqrt(r(i, i) * r(j, j))) << i << j;
@@ -120,7 +120,8 @@ TEST(CameraNoise, ConstantIsTheStatedOneWhereverTheTipIs) {
   options.constant_camera_sigma = Vector3d(0.02, 0.03, 0.004);
   const CameraNoise noise(raven(), options);
   for (const double scale : {1e-6, 1.0}) {
-    const Matrix3d r = noise.ofJoints({Vector3d::Ones(), scale * Matrix3d::Identity()}, Vector3d::Ones());
+    const Matrix3d r =
+        noise.ofJoints({Vector3d::Ones(), scale * Matrix3d::Identity()}, Vector3d::Ones(), 1e-3);
     EXPECT_LT((r - Matrix3d(Vector3d(4e-4, 9e-4, 1.6e-5).asDiagonal())).norm(), 1e-15);
   }
 }

@@ -146,58 +146,5 @@ TEST(TransmissionEstimator, BeforeTheFirstCameraObservationSigmaIncludesWhatTheR
   EXPECT_GT(nees / count, 0.05);
 }
 
-TEST(WhiteNoise, IsMeasuredWhateverDriftsBeside) {
-  base::Random random(5, "white");
-  WhiteNoise noise(3000, 0.1);
-  const Matrix3d stated = 25.0 * Matrix3d::Identity();
-  const Vector3d sigma(0.2, 0.3, 2.0);
-  for (int k = 0; k < 6000; ++k) {
-    const double t = k / 15.0;
-    const Vector3d drift(5.0 * std::sin(0.3 * t), 0.1 * t, -3.0);
-    Vector3d residual = drift;
-    for (int i = 0; i < 3; ++i) residual(i) += random.normal(0.0, sigma(i));
-    noise.add(t, residual, stated);
-  }
-  for (int i = 0; i < 3; ++i)
-    EXPECT_NEAR(std::sqrt(noise.value(stated)(i, i)), sigma(i), 0.06 * sigma(i)) << i;
-}
-
-TEST(WhiteNoise, KeepsWhatIsStatedUntilEnoughNeighboursWereSeen) {
-  WhiteNoise noise(100, 0.1);
-  const Matrix3d stated = 4.0 * Matrix3d::Identity();
-  base::Random random(9, "neighbours");
-  const auto add = [&](double t) { noise.add(t, Vector3d(random.normal(), 0.0, 0.0), stated); };
-  for (int k = 0; k < 200; ++k) add(1.0 * k);  // gaps: no neighbours
-  EXPECT_EQ(noise.value(stated), stated);
-  for (int k = 0; k < WhiteNoise::kEnough + 1; ++k) add(300.0 + 0.05 * k);
-  EXPECT_EQ(noise.value(stated), stated);
-  add(300.0 + 0.05 * (WhiteNoise::kEnough + 1));
-  EXPECT_NE(noise.value(stated), stated);
-}
-
-TEST(WhiteNoise, WithoutMemoryIsWhatIsStated) {
-  WhiteNoise noise(0, 0.1);
-  const Matrix3d stated = 4.0 * Matrix3d::Identity();
-  for (int k = 0; k < 100; ++k) noise.add(0.05 * k, Vector3d(k % 2, 0.0, 0.0), stated);
-  EXPECT_EQ(noise.value(stated), stated);
-}
-
-TEST(StatedShare, FallsToWhatIsSeenAndNeverRisesAboveWhatIsStated) {
-  base::Random random(7, "share");
-  const auto mean = [&](double true_variance) {
-    StatedShare share;
-    double sum = 0.0;
-    for (int k = 0; k < 5000; ++k) {
-      const double nis = std::pow(random.normal(0.0, std::sqrt(true_variance)), 2) / share.value();
-      if (k >= 1000) sum += nis / 4000.0;
-      share.add(nis);
-    }
-    return sum;
-  };
-  EXPECT_NEAR(mean(0.1), 1.0, 0.1);
-  EXPECT_NEAR(mean(0.01), 1.0, 0.1);
-  EXPECT_NEAR(mean(3.0), 3.0, 0.3) << "a filter that is wrong stays so";
-}
-
 }  // namespace
 }  // namespace capstan::tracking

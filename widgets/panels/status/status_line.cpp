@@ -8,6 +8,7 @@
 
 #include "core/estimation/nis_verdict.h"
 #include "core/tracking/side_text.h"
+#include "widgets/panels/status/elided_label.h"
 
 namespace capstan::widgets {
 
@@ -59,7 +60,8 @@ StatusLine::StatusLine(QWidget* parent) : QWidget(parent) {
   row->setContentsMargins(8, 2, 8, 2);
   row->setSpacing(0);
   for (std::size_t i = 0; i < kParts; ++i) {
-    for (auto* label : {dots_[i] = new QLabel(QStringLiteral(" · ")), labels_[i] = new QLabel}) {
+    labels_[i] = i == kSides ? new ElidedLabel : new QLabel;  // a reason may be long
+    for (auto* label : {dots_[i] = new QLabel(QStringLiteral(" · ")), labels_[i]}) {
       label->setFont(numberFont(10.0));
       row->addWidget(label);
     }
