@@ -158,111 +158,110 @@ TEST_F(CliLive, ARobotOverTcpIsRecorded) {
     EXPECT_NE(said.find("of the session are excluded: a bag has no topic for them"), std::string::npos)
         << said;
   }
+}
 
-  /// The same images as in the recording come as two network streams, or as one with both eyes.
-  TEST_F(CliLive, ARobotWithCamerasIsTracked) {
-    ASSERT_EQ(run("simulate --duration 5 --seed 3 --out " + path("trial.capstan")).exit, 0);
-    const Ran direct = run("track " + path("trial.capstan") + " --save-registration " +
-                           path("registration.yaml") + " --json -");
-    ASSERT_EQ(direct.exit, 0) << direct.err;
-    const std::string port = std::to_string(20000 + getpid() % 20000),
-                      video = "http://127.0.0.1:" + std::to_string(40000 + getpid() % 20000),
-                      program = test::commandLineProgram();
-    for (const std::string& streams : {"left: " + video + "/left\n  right: " + video + "/right",
-                                       "left: " + video + "/both\n  layout: side_by_side"}) {
-      std::ofstream(path("live.yaml"))
-          << "title: two cameras\nmotors:\n  from: tcp://127.0.0.1:" << port << "\ncameras:\n  " << streams
-          << "\n  calibration: " << test::resourceFile("cameras").string()
-          << "\n  registration: registration.yaml\n  latency: 0\n";
-      fs::remove(path("track.json"));
-      const Ran both =
-          runShell("(" + program + " track --live " + path("live.yaml") + " --duration 4.8 --json " +
-                   path("track.json") + ") & until " + program + " play " + path("trial.capstan") +
-                   " --to tcp://127.0.0.1:" + port + " --video " + video + "; do sleep 0.1; [ -e " +
-                   path("track.json") + " ] && break; done; wait");
-      ASSERT_TRUE(fs::exists(path("track.json"))) << both.err;
-      const json tracked = json::parse(textOf("track.json"));
-      const json motors = tracked["live"][0], cameras = tracked["live"][1];
-      EXPECT_EQ(motors["dropped"], 0);
-      EXPECT_EQ(cameras["dropped"], 0);
-      EXPECT_TRUE(cameras["clock"].is_null());
-      const int frames = tracked["frames"];
-      EXPECT_GT(frames, 15) << "of 72; on a busy machine the streams take seconds to open";
-      EXPECT_EQ(tracked["detected"][0], frames);
-      EXPECT_EQ(tracked["detected"][1], frames);
-      EXPECT_EQ(both.err.find("tcp @"), std::string::npos) << "FFmpeg is silent: " << both.err;
-    }
-  }
-
-  /// Images go on while nobody takes the rows; who listens later gets the rows of then.
-  TEST_F(CliLive, PlayGoesOnWhenTheReceiverOfTheRowsEnds) {
-    ASSERT_EQ(run("simulate --duration 6 --seed 3 --out " + path("trial.capstan")).exit, 0);
-    const std::string at = "tcp://127.0.0.1:" + std::to_string(20000 + getpid() % 20000),
-                      program = test::commandLineProgram(), track = program + " track --live " + at;
+/// The same images as in the recording come as two network streams, or as one with both eyes.
+TEST_F(CliLive, ARobotWithCamerasIsTracked) {
+  ASSERT_EQ(run("simulate --duration 5 --seed 3 --out " + path("trial.capstan")).exit, 0);
+  const Ran direct = run("track " + path("trial.capstan") + " --save-registration " +
+                         path("registration.yaml") + " --json -");
+  ASSERT_EQ(direct.exit, 0) << direct.err;
+  const std::string port = std::to_string(20000 + getpid() % 20000),
+                    video = "http://127.0.0.1:" + std::to_string(40000 + getpid() % 20000),
+                    program = test::commandLineProgram();
+  for (const std::string& streams : {"left: " + video + "/left\n  right: " + video + "/right",
+                                     "left: " + video + "/both\n  layout: side_by_side"}) {
+    std::ofstream(path("live.yaml")) << "title: two cameras\nmotors:\n  from: tcp://127.0.0.1:" << port
+                                     << "\ncameras:\n  " << streams
+                                     << "\n  calibration: " << test::resourceFile("cameras").string()
+                                     << "\n  registration: registration.yaml\n  latency: 0\n";
+    fs::remove(path("track.json"));
     const Ran both =
-        runShell("(" + track + " --duration 1; sleep 1; " + track + " --duration 1 --json " +
-                 path("second.json") + ") >/dev/null & until " + program + " play " + path("trial.capstan") +
-                 " --to " + at + " --video http://127.0.0.1:0 --json " + path("play.json") +
-                 "; do sleep 0.1; [ -e " + path("play.json") + " ] && break; done; wait");
-    ASSERT_TRUE(fs::exists(path("play.json"))) << both.err;
-    const json played = json::parse(textOf("play.json")), second = json::parse(textOf("second.json"));
-    const json info = json::parse(run("info " + path("trial.capstan") + " --json -").out);
-    EXPECT_EQ(played["images"]["sent"].get<int>() + played["images"]["skipped"].get<int>(), info["frames"])
-        << "to the end";
-    EXPECT_GE(played["connections"], 2);
-    EXPECT_GT(played["lost"], 500);
-    EXPECT_EQ(played["sent"].get<int>() + played["lost"].get<int>(), played["rows"]);
-    EXPECT_NEAR(second["samples"], 1000, 50);
-  }
-
-  /// Left and right exchanged: said by the time that a blink has passed, and for as long as it lasts.
-  TEST_F(CliLive, ExchangedCamerasAreNamed) {
-    ASSERT_EQ(run("simulate --duration 7 --seed 3 --out " + path("trial.capstan")).exit, 0);
-    ASSERT_EQ(
-        run("track " + path("trial.capstan") + " --save-registration " + path("registration.yaml")).exit, 0);
-    const std::string port = std::to_string(20000 + getpid() % 20000),
-                      video = "http://127.0.0.1:" + std::to_string(40000 + getpid() % 20000),
-                      program = test::commandLineProgram();
-    write("live.yaml", "title: two cameras\nmotors:\n  from: tcp://127.0.0.1:" + port +
-                           "\ncameras:\n  left: " + video + "/left\n  right: " + video +
-                           "/right\n  calibration: " + test::resourceFile("cameras").string() +
-                           "\n  registration: registration.yaml\n  latency: 0\n");
-    const Ran both =
-        runShell("(" + program + " track --live " + path("live.yaml") + " --duration 6.8 --json " +
+        runShell("(" + program + " track --live " + path("live.yaml") + " --duration 4.8 --json " +
                  path("track.json") + ") & until " + program + " play " + path("trial.capstan") +
-                 " --to tcp://127.0.0.1:" + port + " --video " + video +
-                 " --video-fault swap:2@4 2>/dev/null; do sleep 0.1; [ -e " + path("track.json") +
-                 " ] && break; done; wait");
+                 " --to tcp://127.0.0.1:" + port + " --video " + video + "; do sleep 0.1; [ -e " +
+                 path("track.json") + " ] && break; done; wait");
     ASSERT_TRUE(fs::exists(path("track.json"))) << both.err;
-    const json gates = json::parse(textOf("track.json"))["gates"];
-    EXPECT_GT(gates["cameras_exchanged"], 15)
-        << "of 30 pairs; on a busy machine the streams take seconds to open";
-    EXPECT_NE(both.err.find("camera not used: left and right camera exchanged"), std::string::npos)
-        << both.err;
+    const json tracked = json::parse(textOf("track.json"));
+    const json motors = tracked["live"][0], cameras = tracked["live"][1];
+    EXPECT_EQ(motors["dropped"], 0);
+    EXPECT_EQ(cameras["dropped"], 0);
+    EXPECT_TRUE(cameras["clock"].is_null());
+    const int frames = tracked["frames"];
+    EXPECT_GT(frames, 15) << "of 72; on a busy machine the streams take seconds to open";
+    EXPECT_EQ(tracked["detected"][0], frames);
+    EXPECT_EQ(tracked["detected"][1], frames);
+    EXPECT_EQ(both.err.find("tcp @"), std::string::npos) << "FFmpeg is silent: " << both.err;
   }
+}
 
-  TEST_F(CliLive, BadAddressesAndFaultsAreRefused) {
-    write("nothing", "");
-    for (const auto& [arguments, words] :
-         {std::pair{"track --live tcp://robot:5555", "no IPv4 address"},
-          {"track --live tcp://127.0.0.1:5555 trial.csv", "together with FILE"},
-          {"track --live nowhere.yaml", "nowhere.yaml"},
-          {"track --live - --register hard-stop", "read twice"},
-          {"track --live - --out trial.h5", "Estimates are CSV or JSON Lines"},
-          {"track trial.csv --out tcp://127.0.0.1:5556", "without --live"},
-          {"track --live - --out - --json -", "together with --out -"},
-          {"play trial.csv --to rows.fifo", "no TCP address"},
-          {"play trial.csv --to tcp://127.0.0.1:5555 --fault storm", "names no fault"},
-          {"play trial.csv", "is missing, and so is --video"},
-          {"play trial.csv --video 127.0.0.1:8081", "is no HTTP address"},
-          {"play trial.csv --to tcp://127.0.0.1:5555 --video-fault swap:1@1", "needs --video"},
-          {"play trial.csv --video http://127.0.0.1:8081 --fault drop:0.1", "needs --to"},
-          {"record --live - --out trial.csv", "does not end in .capstan"}}) {
-      const Ran ran = run(arguments, "<" + path("nothing") + " ");
-      EXPECT_EQ(ran.exit, 2) << arguments;
-      EXPECT_NE(ran.err.find(words), std::string::npos) << arguments << ": " << ran.err;
-    }
+/// Images go on while nobody takes the rows; who listens later gets the rows of then.
+TEST_F(CliLive, PlayGoesOnWhenTheReceiverOfTheRowsEnds) {
+  ASSERT_EQ(run("simulate --duration 6 --seed 3 --out " + path("trial.capstan")).exit, 0);
+  const std::string at = "tcp://127.0.0.1:" + std::to_string(20000 + getpid() % 20000),
+                    program = test::commandLineProgram(), track = program + " track --live " + at;
+  const Ran both =
+      runShell("(" + track + " --duration 1; sleep 1; " + track + " --duration 1 --json " +
+               path("second.json") + ") >/dev/null & until " + program + " play " + path("trial.capstan") +
+               " --to " + at + " --video http://127.0.0.1:0 --json " + path("play.json") +
+               "; do sleep 0.1; [ -e " + path("play.json") + " ] && break; done; wait");
+  ASSERT_TRUE(fs::exists(path("play.json"))) << both.err;
+  const json played = json::parse(textOf("play.json")), second = json::parse(textOf("second.json"));
+  const json info = json::parse(run("info " + path("trial.capstan") + " --json -").out);
+  EXPECT_EQ(played["images"]["sent"].get<int>() + played["images"]["skipped"].get<int>(), info["frames"])
+      << "to the end";
+  EXPECT_GE(played["connections"], 2);
+  EXPECT_GT(played["lost"], 500);
+  EXPECT_EQ(played["sent"].get<int>() + played["lost"].get<int>(), played["rows"]);
+  EXPECT_NEAR(second["samples"], 1000, 50);
+}
+
+/// Left and right exchanged: said by the time that a blink has passed, and for as long as it lasts.
+TEST_F(CliLive, ExchangedCamerasAreNamed) {
+  ASSERT_EQ(run("simulate --duration 7 --seed 3 --out " + path("trial.capstan")).exit, 0);
+  ASSERT_EQ(run("track " + path("trial.capstan") + " --save-registration " + path("registration.yaml")).exit,
+            0);
+  const std::string port = std::to_string(20000 + getpid() % 20000),
+                    video = "http://127.0.0.1:" + std::to_string(40000 + getpid() % 20000),
+                    program = test::commandLineProgram();
+  write("live.yaml", "title: two cameras\nmotors:\n  from: tcp://127.0.0.1:" + port +
+                         "\ncameras:\n  left: " + video + "/left\n  right: " + video +
+                         "/right\n  calibration: " + test::resourceFile("cameras").string() +
+                         "\n  registration: registration.yaml\n  latency: 0\n");
+  const Ran both = runShell("(" + program + " track --live " + path("live.yaml") + " --duration 6.8 --json " +
+                            path("track.json") + ") & until " + program + " play " + path("trial.capstan") +
+                            " --to tcp://127.0.0.1:" + port + " --video " + video +
+                            " --video-fault swap:2@4 2>/dev/null; do sleep 0.1; [ -e " + path("track.json") +
+                            " ] && break; done; wait");
+  ASSERT_TRUE(fs::exists(path("track.json"))) << both.err;
+  const json gates = json::parse(textOf("track.json"))["gates"];
+  EXPECT_GT(gates["cameras_exchanged"], 15)
+      << "of 30 pairs; on a busy machine the streams take seconds to open";
+  EXPECT_NE(both.err.find("camera not used: left and right camera exchanged"), std::string::npos) << both.err;
+}
+
+TEST_F(CliLive, BadAddressesAndFaultsAreRefused) {
+  write("nothing", "");
+  for (const auto& [arguments, words] :
+       {std::pair{"track --live tcp://robot:5555", "no IPv4 address"},
+        {"track --live tcp://127.0.0.1:5555 trial.csv", "together with FILE"},
+        {"track --live nowhere.yaml", "nowhere.yaml"},
+        {"track --live - --register hard-stop", "read twice"},
+        {"track --live - --out trial.h5", "Estimates are CSV or JSON Lines"},
+        {"track trial.csv --out tcp://127.0.0.1:5556", "without --live"},
+        {"track --live - --out - --json -", "together with --out -"},
+        {"play trial.csv --to rows.fifo", "no TCP address"},
+        {"play trial.csv --to tcp://127.0.0.1:5555 --fault storm", "names no fault"},
+        {"play trial.csv", "is missing, and so is --video"},
+        {"play trial.csv --video 127.0.0.1:8081", "is no HTTP address"},
+        {"play trial.csv --to tcp://127.0.0.1:5555 --video-fault swap:1@1", "needs --video"},
+        {"play trial.csv --video http://127.0.0.1:8081 --fault drop:0.1", "needs --to"},
+        {"record --live - --out trial.csv", "does not end in .capstan"}}) {
+    const Ran ran = run(arguments, "<" + path("nothing") + " ");
+    EXPECT_EQ(ran.exit, 2) << arguments;
+    EXPECT_NE(ran.err.find(words), std::string::npos) << arguments << ": " << ran.err;
   }
+}
 
 }  // namespace
 }  // namespace capstan::testing
