@@ -110,7 +110,7 @@ void CameraSide::work(int stream) {
   std::unique_ptr<VideoStream> video = std::move(first_[static_cast<std::size_t>(stream)]);
   while (!quit_) {
     try {
-      if (!video) video = std::make_unique<VideoStream>(address, settingsOf(setup_));
+      if (!video) video = std::make_unique<VideoStream>(address, settingsOf(setup_), &quit_);
       readStream(stream, *video);
     } catch (const std::exception& error) {
       noteReason(stream, error.what());
@@ -232,8 +232,8 @@ void CameraSide::workOnTopic(int stream, const std::string& topic) {
   }
 }
 
-/// Whether an image of either stream has waited: the other's images have no partners then. The image with which
-/// the waiting ends has none, either.
+/// Whether an image of either stream has waited: the other's images have no partners then. The image with
+/// which the waiting ends has none, either.
 bool CameraSide::anyWaits(int stream, const Times& times) {
   auto& own = backlogs_[static_cast<std::size_t>(stream)];
   if (!own || times.stamp != 0) return false;

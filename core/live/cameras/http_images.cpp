@@ -46,9 +46,12 @@ class HttpImages::Reader {
 
   /// Waits for the first image. What comes instead throws base::InputError, or is said in words: "the server
   /// sends text/html".
-  std::string waitForImage(std::chrono::milliseconds patience) {
+  std::string waitForImage(std::chrono::milliseconds patience, const std::atomic<bool>* cancelled) {
+    constexpr std::chrono::milliseconds kLook{50};  // for a cancellation
     std::unique_lock lock(mutex_);
-    changed_.wait_for(lock, patience, [&] { return begun_ || ended_; });
+    const Clock::time_point end = Clock::now() + patience;
+    while (!changed_.wait_for(lock, kLook, [&] { return begun_ || ended_; }))
+      if (Clock::now() >= end || (cancelled && *cancelled)) break;
     if (begun_ || !other_.empty()) return other_;
     if (fault_) std::rethrow_exception(fault_);
     if (answered_) refuse(address_, "the server sends no image", "Check that the camera runs");
@@ -150,9 +153,10 @@ class HttpImages::Reader {
   std::thread thread_;
 };
 
-HttpImages::Opened HttpImages::open(const std::string& address, std::chrono::milliseconds patience) {
+HttpImages::Opened HttpImages::open(const std::string& address, std::chrono::milliseconds patience,
+                                    const std::atomic<bool>* cancelled) {
   auto reader = std::make_unique<Reader>(address, patience);
-  std::string other = reader->waitForImage(patience);
+  std::string other = reader->waitForImage(patience, cancelled);
   if (!other.empty()) return {nullptr, std::move(other)};
   return {std::unique_ptr<HttpImages>(new HttpImages(std::move(reader))), {}};
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <memory>
@@ -17,9 +18,10 @@ class HttpImages {
     std::unique_ptr<HttpImages> images;  ///< null: what answers is no Motion JPEG
     std::string other;                   ///< then what it is: "the server sends text/html"
   };
-  /// Connects, and waits up to `patience` for the first image. Throws base::InputError with the reason where
-  /// nothing answers, or the answer is an error.
-  static Opened open(const std::string& address, std::chrono::milliseconds patience);
+  /// Connects, and waits up to `patience` for the first image, or until `*cancelled`. Throws base::InputError
+  /// with the reason where nothing answers, or the answer is an error.
+  static Opened open(const std::string& address, std::chrono::milliseconds patience,
+                     const std::atomic<bool>* cancelled = nullptr);
   ~HttpImages();
 
   /// Waits for the next image. False: the stream has ended or gives none for `patience`. Throws

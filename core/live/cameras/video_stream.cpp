@@ -50,11 +50,11 @@ bool isNetworkStream(const std::string& from) { return from.find("://") != std::
 
 class VideoStream::Impl {
  public:
-  Impl(const std::string& from, const VideoSettings& settings)
+  Impl(const std::string& from, const VideoSettings& settings, const std::atomic<bool>* cancelled)
       : file_(std::filesystem::is_regular_file(from)) {
     std::string reason = "cannot be opened as a camera or video";
     if (isHttpAddress(from)) {
-      HttpImages::Opened opened = HttpImages::open(from, kOpening);
+      HttpImages::Opened opened = HttpImages::open(from, kOpening, cancelled);
       http_ = std::move(opened.images);
       if (http_) return;
       reason += ": " + opened.other;
@@ -150,8 +150,9 @@ class VideoStream::Impl {
   std::int64_t count_ = 0;
 };
 
-VideoStream::VideoStream(const std::string& from, const VideoSettings& settings)
-    : impl_(std::make_unique<Impl>(from, settings)) {}
+VideoStream::VideoStream(const std::string& from, const VideoSettings& settings,
+                         const std::atomic<bool>* cancelled)
+    : impl_(std::make_unique<Impl>(from, settings, cancelled)) {}
 VideoStream::~VideoStream() = default;
 bool VideoStream::read(cv::Mat& image) { return impl_->read(image); }
 std::int64_t VideoStream::skip(double seconds) { return impl_->skip(seconds); }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <memory>
@@ -24,8 +25,10 @@ bool isNetworkStream(const std::string& from);
 /// received by HttpImages, all else by FFmpeg.
 class VideoStream {
  public:
-  /// Throws base::InputError with the reason where the stream cannot be opened.
-  VideoStream(const std::string& from, const VideoSettings& settings);
+  /// Throws base::InputError with the reason where the stream cannot be opened. `*cancelled` ends the waiting
+  /// for a silent server of Motion JPEG.
+  VideoStream(const std::string& from, const VideoSettings& settings,
+              const std::atomic<bool>* cancelled = nullptr);
   ~VideoStream();
 
   /// Waits for the next image, 8-bit BGR. False: the stream has ended or gives nothing for kPatience. Throws

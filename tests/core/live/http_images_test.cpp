@@ -168,6 +168,23 @@ TEST(HttpUrl, PartsOfAnAddress) {
     EXPECT_THROW(parseHttpUrl(wrong), base::InputError) << wrong;
 }
 
+TEST_F(HttpServer, WaitingForASilentServerCanBeCancelled) {
+  std::atomic<bool> asked{false}, cancelled{false}, done{false};
+  server_.Get("/silent", [&](const httplib::Request&, httplib::Response&) {
+    asked = true;
+    while (!done) std::this_thread::sleep_for(10ms);
+  });
+  std::thread user([&] {
+    while (!asked) std::this_thread::sleep_for(10ms);
+    cancelled = true;
+  });
+  const auto begin = std::chrono::steady_clock::now();
+  EXPECT_THROW(VideoStream(at("/silent"), {}, &cancelled), base::InputError);
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, VideoStream::kOpening / 2);
+  done = true;
+  user.join();
+}
+
 TEST_F(HttpServer, FaultsNameTheReason) {
   answer("/text", "multipart/x-mixed-replace;boundary=b", "--b\r\nContent-Type: text/plain\r\n\r\nhello\r\n");
   answer("/nothing", "multipart/x-mixed-replace;boundary=b", "--b\r\n");
