@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <QAction>
+#include <QCoreApplication>
+#include <QHelpEvent>
 #include <QLabel>
 #include <QTemporaryDir>
 #include <QToolButton>
@@ -181,7 +183,14 @@ TEST(StatusLine, InANarrowWindowWhatIsWrongStaysSeen) {
   EXPECT_TRUE(seen("gate shut: left lost"));
   EXPECT_TRUE(seen("FAIL, too high"));
   EXPECT_FALSE(seen("1000 Hz"));
+  QHelpEvent asked(QEvent::ToolTip, QPoint(1, 1), QPoint(1, 1));
+  QCoreApplication::sendEvent(&line, &asked);
   EXPECT_TRUE(line.toolTip().contains("1000 Hz"));
+  live::RunStatus slower = running();
+  slower.motor_rate = 500.0;
+  line.showStatus(slower, 0.0);
+  QCoreApplication::sendEvent(&line, &asked);
+  EXPECT_TRUE(line.toolTip().contains("500 Hz")) << "the text of now";
   line.resize(2000, 28);
   EXPECT_TRUE(seen("1000 Hz"));
 }

@@ -161,7 +161,11 @@ void StatusLine::separate() {
 void StatusLine::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   separate();
-  setToolTip(text());
+}
+
+bool StatusLine::event(QEvent* event) {
+  if (event->type() == QEvent::ToolTip) setToolTip(text());
+  return QWidget::event(event);
 }
 
 QSize StatusLine::minimumSizeHint() const {

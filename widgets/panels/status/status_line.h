@@ -47,6 +47,7 @@ class StatusLine : public QWidget {
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
+  bool event(QEvent* event) override;
 
  private:
   enum Part {
