@@ -49,7 +49,9 @@ ExitCode record(const RecordArguments& arguments) {
   if (feed || outputs)
     runner->listen(live::both(feed ? feed->begin(info) : live::Listener{},
                               outputs ? outputs->begin(info) : live::Listener{}));
-  runner->startRecording(arguments.out, recording::headerOf(info, isoNow()));
+  recording::RecorderOptions options;
+  options.wait = info.sender_waits;
+  runner->startRecording(arguments.out, recording::headerOf(info, isoNow()), options);
   base::Progress progress;
   {
     const ProgressLine line(progress);
@@ -66,8 +68,8 @@ ExitCode record(const RecordArguments& arguments) {
   runner.reset();  // closes the recording
   const recording::RecorderStats stats = recorder->stats();
   output.text(textOf(report, info, 0.0) + healthText(health) + textOf(status.sides) +
-              fmt::format("{}: {} rows written, {} lost, {:.1f} MB\n", arguments.out, stats.written,
-                          stats.dropped + stats.lost, 1e-6 * static_cast<double>(stats.bytes)));
+              fmt::format("{}: {} rows written, {} dropped, {} lost, {:.1f} MB\n", arguments.out,
+                          stats.written, stats.dropped, stats.lost, 1e-6 * static_cast<double>(stats.bytes)));
   output.json({{"file", arguments.out},
                {"written", stats.written},
                {"dropped", stats.dropped},
@@ -78,7 +80,12 @@ ExitCode record(const RecordArguments& arguments) {
                {"live", jsonOf(status.sides)}});
   if (!stats.error.empty()) notice(stats.error);
   if (!status.error.empty()) notice(status.error);
-  return stats.error.empty() && status.error.empty() && report.motor_samples > 0 ? kOk : kFailed;
+  const bool whole = stats.dropped + stats.lost == 0;
+  if (!whole && stats.error.empty())
+    notice(
+        "the recording is not complete: the disk is slower than the data. Record to a faster disk, or fewer "
+        "images");
+  return whole && stats.error.empty() && status.error.empty() && report.motor_samples > 0 ? kOk : kFailed;
 }
 
 }  // namespace

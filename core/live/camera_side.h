@@ -32,7 +32,7 @@ class TopicHint;
 /// (ImageClock). The stamps are the times where they are by the clock of the motors' stamps, or by this
 /// computer's clock; else their clock is mapped to this computer's. Other images are paired by the times at
 /// which their driver had them, or at which they arrived; where network streams have no stamps, images that
-/// have waited on their way (Backlog) are not passed on, and not counted. A reader that is behind drops
+/// have waited on their way (Backlog) are received, but not passed on. A reader that is behind drops
 /// images; their pairs are counted as dropped.
 class CameraSide {
  public:

@@ -28,6 +28,9 @@ void checkRos(const LiveSetup& setup, const std::string& file) {
     refuse(file, "motors.names", std::to_string(setup.motors.names.size()) + " names", "are not three",
            "Give the names of the three motors of the arm, or none");
   const CamerasSetup* cameras = setup.cameras ? &*setup.cameras : nullptr;
+  if (cameras && cameras->calibration.empty())
+    refuse(file, "cameras.calibration", "", "is missing",
+           "Give the folder or the file of a calibration: " + vision::rigFileKinds());
   if (cameras && cameras->calibration == kRosCalibration &&
       !(isRosTopic(cameras->left) && isRosTopic(cameras->right)))
     refuse(file, "cameras.calibration", cameras->calibration, "needs images from two ROS topics",

@@ -36,6 +36,7 @@ LiveSource::LiveSource(const LiveSetup& setup) : queue_(kCapacity) {
   info_.robot = robot::readDescriptionOrDefault(setup.robot);
   info_.reference = setup.motors.reference;
   info_.real_time = true;
+  info_.sender_waits = piped;
   std::unique_ptr<RowInput> input;
   if (address.kind == Address::Kind::kRos)
     input = std::make_unique<RosRows>(setup.motors, info_.robot);

@@ -81,9 +81,10 @@ class Inspection {
   void addQuantity(std::string_view quantity, const TableColumns& columns, Find&& find, Sharing&& sharing) {
     std::vector<std::optional<UnitFinding>> found(columns.size());
     std::optional<std::size_t> first;
+    std::string name_of_first;
     for (std::size_t i = 0; i < columns.size(); ++i) {
       found[i] = find(i);
-      if (found[i] && found[i]->unit && !first && sharing(i, i)) first = i;
+      if (found[i] && found[i]->unit && !first && sharing(i, i)) first = i, name_of_first = found[i]->column;
     }
     for (std::size_t i = 0; i < columns.size(); ++i) {
       if (!found[i] && first && sharing(i, *first)) {
@@ -93,7 +94,7 @@ class Inspection {
         found[i]->implausible = false;
         found[i]->unit = found[*first]->unit;
         found[i]->text = fmt::format("spans {:.4g} … {:.4g}: plausible by itself, but {} has the same unit",
-                                     span.low, span.high, found[*first]->column);
+                                     span.low, span.high, name_of_first);
       }
       if (found[i]) findings_.push_back(std::move(*found[i]));
     }

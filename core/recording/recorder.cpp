@@ -123,8 +123,13 @@ class Recorder::Impl {
   const std::filesystem::path& path() const { return path_; }
 
  private:
+  Record* nextSlot() { return recording_.load(std::memory_order_relaxed) ? records_.back() : nullptr; }
   Record* open() {
-    Record* slot = recording_.load(std::memory_order_relaxed) ? records_.back() : nullptr;
+    Record* slot = nextSlot();
+    while (!slot && options_.wait && recording_.load(std::memory_order_relaxed)) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      slot = nextSlot();
+    }
     if (!slot) dropped_.fetch_add(1, std::memory_order_relaxed);
     return slot;
   }

@@ -23,6 +23,7 @@ struct RecorderOptions {
   int width = 640, height = 480;
   /// Log size from which the log is moved into the main file [bytes]; on a small disk 1/32 of the disk.
   std::uint64_t checkpoint_bytes = 64U << 20;
+  bool wait = false;            ///< offer() waits while the queue is full, instead of dropping
   std::uint64_t max_bytes = 0;  ///< largest file size [bytes]; 0: limited by the disk
   /// Free space that recording leaves on the disk [bytes]; none: DiskSpace::reserve of the disk.
   std::optional<std::uint64_t> min_free_bytes;

@@ -10,9 +10,10 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double kLeastClock = 1e-5, kMostClock = 0.1;  ///< bounds of the standard deviation of stamps [s]
+constexpr double kLeastClock = 1e-5, kMostClock = 0.1;  ///< bounds of a measured standard deviation [s]
 
-double logVariance(double sigma) { return 2.0 * std::log(std::clamp(sigma, kLeastClock, kMostClock)); }
+/// −∞ for 0, which no score changes.
+double logVariance(double sigma) { return 2.0 * std::log(sigma); }
 
 }  // namespace
 
@@ -49,6 +50,7 @@ void WhiteNoise::addDifference(const Residual& now, const Matrix3d& stated) {
   differences_ = std::min(differences_ + 1, 2 * memory_);
   measured_ += 2.0 / (differences_ + 1) * (part - measured_);
 
+  if (clock == 0.0) return;
   const Matrix3d share = clock * expected.solve(speeds);
   const double score = 0.5 * (weight * clock * weighted.dot(speeds * weighted) - share.trace());
   information_ = std::min(information_ + 0.5 * share.cwiseProduct(share.transpose()).sum(), 0.5 * memory_);

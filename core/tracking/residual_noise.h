@@ -15,7 +15,8 @@ namespace capstan::tracking {
 /// Neumann, Annals of Mathematical Statistics 12, 1941). R follows by expectation-maximisation, as a running
 /// mean over about `memory` differences, and log s² by Fisher scoring (variance components; Harville, Journal
 /// of the American Statistical Association 72, 1977). Each difference is limited to kOutlier times its
-/// expected value. With `memory` 0 both stay as stated.
+/// expected value. With `memory` 0 both stay as stated; a
+/// stated s of 0 stays 0.
 class WhiteNoise {
  public:
   /// `gap` is the longest time between neighbours [s]; `clock_sigma` the stated s [s].

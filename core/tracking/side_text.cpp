@@ -19,6 +19,7 @@ std::string stateOf(const SideStatus& side, const std::string& how_long) {
 }
 
 bool needsAttention(const SideStatus& side) {
+  if (side.state == State::kWaiting) return side.received > 0 || side.refused > 0;
   return side.state == State::kSilent || side.state == State::kFrozen || side.state == State::kRefused ||
          side.state == State::kEnded;
 }
@@ -26,6 +27,8 @@ bool needsAttention(const SideStatus& side) {
 std::string shortTextOf(const SideStatus& side) {
   switch (side.state) {
     case State::kWaiting:
+      if (side.refused > 0 && side.received == 0)
+        return fmt::format("{} refused {}: {}", side.name, counted(side.refused, "time"), side.fault);
       if (side.connected) return fmt::format("{}: connected at {}, no valid row yet", side.name, side.from);
       return side.reason.empty() ? fmt::format("{}: waiting at {}", side.name, side.from)
                                  : fmt::format("{}: waiting: {}", side.name, side.reason);
@@ -42,6 +45,17 @@ std::string shortTextOf(const SideStatus& side) {
   std::string text;
   if (side.dropped > 0) text = fmt::format("{}: {} dropped", side.name, side.dropped);
   return text;
+}
+
+std::string outdatedText(const std::vector<SideStatus>& sides, const std::string& camera) {
+  for (const SideStatus& side : sides) {
+    const bool of_it = side.name == "cameras" && (side.part.empty() || side.part == camera);
+    if (!of_it || side.received == 0 || side.state == State::kReceiving || side.state == State::kEnded)
+      continue;
+    const std::string how_long = side.silent_for > 0.0 ? fmt::format(" for {:.0f} s", side.silent_for) : "";
+    return std::string(base::nameOf(side.state)) + how_long;
+  }
+  return {};
 }
 
 std::string textOf(const SideStatus& side) {

@@ -33,6 +33,7 @@ struct SourceInfo {
   bool own_kinematics = false;
   bool live = false;                 ///< the robot can be commanded (simulated or real)
   bool real_time = false;            ///< samples come when they are measured: not paced, not stepped
+  bool sender_waits = false;         ///< a real-time source on standard input: nothing has to be dropped
   std::vector<std::string> notices;  ///< exclusions and remarks for the user, one per line
 };
 

@@ -120,6 +120,8 @@ TEST_F(CliLive, RowsOnStandardInputAreRecorded) {
   ASSERT_EQ(record.exit, 0) << record.err;
   const json tracked = json::parse(run("track " + table + " --json -").out);
   EXPECT_EQ(json::parse(record.out)["motor"], tracked["samples"]);
+  const json recorded = json::parse(run("track " + path("live.capstan") + " --json -").out);
+  EXPECT_EQ(recorded["samples"], tracked["samples"]) << "in the file";
 }
 
 TEST_F(CliLive, PlayWaitsForItsReceiverAndNoLonger) {

@@ -40,7 +40,7 @@ TEST(StatusLine, ALongReasonLeavesRoomForTheOtherParts) {
   StatusLine line;
   live::RunStatus status = running();
   tracking::SideStatus cameras;
-  cameras.name = "cameras";
+  cameras.name = "cameras", cameras.counted = "image";
   cameras.state = tracking::SideStatus::State::kSilent;
   cameras.reason =
       "http://192.168.100.100:8080/stream/of/the/left/camera: no server answers there. Start the camera's "
@@ -56,12 +56,31 @@ TEST(StatusLine, ALongReasonLeavesRoomForTheOtherParts) {
   for (const auto* label : line.findChildren<QLabel*>())
     if (label->isVisible()) right = std::max(right, label->geometry().right());
   EXPECT_LE(right, line.width());
-  EXPECT_NE(line.text().indexOf(QString::fromStdString(cameras.reason)), -1)
-      << "the tool tip has the whole text";
+  QHelpEvent asked(QEvent::ToolTip, QPoint(1, 1), QPoint(1, 1));
+  QCoreApplication::sendEvent(&line, &asked);
+  EXPECT_TRUE(line.toolTip().contains(QString::fromStdString(cameras.reason))) << "the whole text";
+  EXPECT_TRUE(line.toolTip().contains("0 images, 0 missing")) << "and the numbers";
   for (const auto* label : line.findChildren<QLabel*>())
     if (label->text().startsWith("NIS")) {
       EXPECT_GE(label->width(), label->sizeHint().width());
     }
+}
+
+TEST(StatusLine, WhatNeedsAttentionComesFirstAndOnOneLine) {
+  StatusLine line;
+  live::RunStatus status = running();
+  tracking::SideStatus motors, cameras;
+  motors.name = "motors", motors.from = "tcp://127.0.0.1:5555";
+  cameras.name = "cameras", cameras.state = tracking::SideStatus::State::kRefused;
+  cameras.fault = "first line\nsecond line";
+  status.sides = {motors, cameras};
+  status.real_time_factor = 0.0;
+  line.showSnapshot(calm());
+  line.showStatus(status, 0.0);
+  EXPECT_TRUE(line.text().contains(
+      "cameras refused: first line second line, motors: waiting at tcp://127.0.0.1:5555"))
+      << line.text().toStdString();
+  EXPECT_FALSE(line.text().contains("only")) << "a live session has no speed";
 }
 
 TEST(StatusLine, ReadsAsOneLine) {
@@ -191,6 +210,7 @@ TEST(StatusLine, InANarrowWindowWhatIsWrongStaysSeen) {
   line.showStatus(slower, 0.0);
   QCoreApplication::sendEvent(&line, &asked);
   EXPECT_TRUE(line.toolTip().contains("500 Hz")) << "the text of now";
+  line.showStatus(running(), 0.0);
   line.resize(2000, 28);
   EXPECT_TRUE(seen("1000 Hz"));
 }

@@ -147,6 +147,24 @@ TEST(RoiView, SaysWhyTheMarkerIsLostInWordsAndColour) {
       << "no circle of a marker that is not there";
 }
 
+TEST(RoiView, SaysThatItsImageIsAnOldOne) {
+  const Observation observation = observationOf({320, 240}, 9.0, {270, 190, 100, 100});
+  StereoView view;
+  view.resize(400, 500);
+  view.left().showFrame(observation.frame, observation.detection);
+  view.right().showFrame(observation.frame, observation.detection);
+  tracking::SideStatus cameras;
+  cameras.name = "cameras", cameras.received = 20, cameras.part = "right", cameras.silent_for = 3.1;
+  cameras.state = tracking::SideStatus::State::kSilent;
+  view.setOutdated({cameras});
+  EXPECT_TRUE(view.left().caption().startsWith("circle"));
+  EXPECT_EQ(view.right().caption(), "silent for 3 s");
+  test::grab(view, "roi_old_image");
+  cameras.state = tracking::SideStatus::State::kReceiving;
+  view.setOutdated({cameras});
+  EXPECT_TRUE(view.right().caption().startsWith("circle"));
+}
+
 TEST(RoiView, SwapsThePicturesOnDoubleClick) {
   StereoView stereo;
   stereo.resize(700, 640);

@@ -277,6 +277,7 @@ void MainWindow::onStatus(const live::RunStatus& status) {
   if (recording != recording_since_.has_value()) onRecording(recording, status);
   status_->showStatus(status, status.t - recording_since_.value_or(status.t));
   occlusion_->showBlocked(status.blocked);
+  video_->setOutdated(status.sides);
   bar_->showStatus(status);
   const QString title = titleOfWindow(title_, status, recording_since_ ? status.t - *recording_since_ : -1.0);
   if (title != windowTitle()) setWindowTitle(title);

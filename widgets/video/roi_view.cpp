@@ -43,7 +43,7 @@ void strokeWithHalo(QPainter& painter, const QPainterPath& path, const QColor& c
 }  // namespace
 
 RoiView::RoiView(const QString& title, QWidget* parent)
-    : QWidget(parent), title_(title), message_("no image yet") {
+    : QWidget(parent), title_(title), message_("no pair of images yet") {
   setAttribute(Qt::WA_OpaquePaintEvent);
   setToolTip(
       "Double click: whole frame or region of interest large.\n"
@@ -75,6 +75,12 @@ void RoiView::clear(const QString& why) {
   update();
 }
 
+void RoiView::setOutdated(const QString& why) {
+  if (why == outdated_) return;
+  outdated_ = why;
+  update();
+}
+
 void RoiView::setLines(std::vector<ImageLine> lines) {
   lines_ = std::move(lines);
   update();
@@ -89,6 +95,7 @@ void RoiView::setWholeFrameLarge(bool large) {
 
 QString RoiView::caption() const {
   if (frame_.empty()) return message_;
+  if (!outdated_.isEmpty()) return outdated_;
   if (!detection_.found()) return text(base::nameOf(detection_.fault));
   return QString("circle %1 px · %2 px σ · ok%3")
       .arg(detection_.radius, 0, 'f', 1)
@@ -207,8 +214,12 @@ void RoiView::drawLines(QPainter& painter, const ImageMap& map) const {
 
 void RoiView::drawCaption(QPainter& painter, const QRect& area) const {
   int left = area.left();
-  if (lost()) left = drawPill(painter, area, "LOST", theme_.warning, kTextPoints - 1.0).right() + 8;
-  painter.setFont(lost() ? textFont(kTextPoints) : numberFont(kTextPoints));
+  const bool words = lost() || !outdated_.isEmpty();
+  if (words) {
+    const char* pill = outdated_.isEmpty() ? "LOST" : "OLD IMAGE";
+    left = drawPill(painter, area, pill, theme_.warning, kTextPoints - 1.0).right() + 8;
+  }
+  painter.setFont(words ? textFont(kTextPoints) : numberFont(kTextPoints));
   painter.setPen(theme_.text);
   const QRect rest(left, area.top(), area.right() - left, area.height());
   painter.drawText(rest, Qt::AlignLeft | Qt::AlignVCenter,

@@ -48,6 +48,8 @@ class RoiView : public QWidget {
   /// number is cut; only a single remaining part is elided.
   QString captionWithin(const QFontMetrics& metrics, int width) const;
   bool lost() const { return !detection_.found(); }
+  /// Says beside the image that it is an old one, and why no newer one comes; empty: it is of now.
+  void setOutdated(const QString& why);
   /// Present positions of the magnified image and the inset, for tests and overlays.
   ImageMap mainMap() const;
   ImageMap insetMap() const;
@@ -70,7 +72,7 @@ class RoiView : public QWidget {
   void drawLines(QPainter& painter, const ImageMap& map) const;
   void drawCaption(QPainter& painter, const QRect& area) const;
 
-  QString title_, message_;
+  QString title_, message_, outdated_;
   Theme theme_ = Theme::dark();
   cv::Mat frame_;
   vision::MarkerDetection detection_;

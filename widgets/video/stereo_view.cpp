@@ -3,6 +3,8 @@
 #include <QBoxLayout>
 #include <algorithm>
 
+#include "core/tracking/side_text.h"
+
 namespace capstan::widgets {
 
 StereoView::StereoView(QWidget* parent) : QWidget(parent), views_{new RoiView("LEFT"), new RoiView("RIGHT")} {
@@ -30,6 +32,11 @@ void StereoView::clear(const QString& why) {
 
 void StereoView::setLines(const std::array<std::vector<ImageLine>, 2>& lines) {
   for (std::size_t side = 0; side < 2; ++side) views_[side]->setLines(lines[side]);
+}
+
+void StereoView::setOutdated(const std::vector<tracking::SideStatus>& sides) {
+  left().setOutdated(QString::fromStdString(tracking::outdatedText(sides, "left")));
+  right().setOutdated(QString::fromStdString(tracking::outdatedText(sides, "right")));
 }
 
 void StereoView::setWholeFrameLarge(bool large) {

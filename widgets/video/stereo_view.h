@@ -3,8 +3,10 @@
 #include <QWidget>
 #include <array>
 #include <opencv2/core/mat.hpp>
+#include <vector>
 
 #include "core/tracking/snapshot.h"
+#include "core/tracking/source.h"
 #include "widgets/figures/theme.h"
 #include "widgets/video/roi_view.h"
 
@@ -25,6 +27,8 @@ class StereoView : public QWidget {
   void clear(const QString& why);
   void setLines(const std::array<std::vector<ImageLine>, 2>& lines);
   void setWholeFrameLarge(bool large);
+  /// Marks the image of a camera from which no new one comes.
+  void setOutdated(const std::vector<tracking::SideStatus>& sides);
   RoiView& left() { return *views_[0]; }
   RoiView& right() { return *views_[1]; }
 

@@ -62,7 +62,7 @@ class ImageServer::Impl {
       server_.Get(kPaths[eye], [this, eye](const httplib::Request&, httplib::Response& response) {
         response.set_content_provider(
             "multipart/x-mixed-replace; boundary=image",
-            [this, eye, seen = std::uint64_t{0}](std::size_t, httplib::DataSink& sink) mutable {
+            [this, eye, seen = newest()](std::size_t, httplib::DataSink& sink) mutable {
               return send(eye, seen, sink);
             });
       });
@@ -104,6 +104,11 @@ class ImageServer::Impl {
   int port() const { return port_; }
 
  private:
+  /// A client that connects gets the images of later times.
+  std::uint64_t newest() const {
+    const std::lock_guard lock(mutex_);
+    return sequence_;
+  }
   /// Sends the next image to one client, or nothing after kWait. False: the server ends.
   bool send(Eye eye, std::uint64_t& seen, httplib::DataSink& sink) {
     std::shared_ptr<Images> images;
@@ -125,7 +130,7 @@ class ImageServer::Impl {
 
   httplib::Server server_;
   int port_ = -1;
-  std::mutex mutex_;  ///< protects the members below
+  mutable std::mutex mutex_;  ///< protects the members below
   std::condition_variable changed_;
   std::shared_ptr<Images> images_;
   std::uint64_t sequence_ = 0;

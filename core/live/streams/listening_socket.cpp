@@ -30,7 +30,7 @@ ListeningSocket listenOn(const Address& address) {
                             {},
                             listening.name,
                             std::string("cannot be listened on: ") + std::strerror(errno),
-                            "Choose another port, or end the program that has it"});
+                            "Choose another port, or end the program or the live session that has it"});
   listening.name = fmt::format("tcp://{}:{}", address.host, ntohs(at.sin_port));
   return listening;
 }

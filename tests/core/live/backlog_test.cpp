@@ -17,6 +17,24 @@ TEST(Backlog, HoldsTheFirstSecondAndWhatFollowsASilence) {
   EXPECT_FALSE(backlog.add(21.05)) << "no more than a second";
 }
 
+TEST(Backlog, ASlowStreamHasNoSilences) {
+  for (const double period : {0.5, 0.9}) {
+    Backlog backlog;
+    for (int k = 0; k < 3; ++k) backlog.add(period * k);
+    for (int k = 3; k < 20; ++k) EXPECT_FALSE(backlog.add(period * k)) << period << ", " << k;
+    EXPECT_TRUE(backlog.add(period * 19 + 4.0));
+  }
+}
+
+/// Each image is late by another time, as on a wireless network.
+TEST(Backlog, AStreamThatStallsOftenIsUsedBetweenItsStalls) {
+  Backlog backlog;
+  int used = 0;
+  double t = 0.0;
+  for (int k = 0; k < 200; ++k) used += !backlog.add(t += k % 20 == 0 ? 0.5 : 0.06);
+  EXPECT_GT(used, 50);
+}
+
 TEST(Backlog, BeginsAgainWithTheStream) {
   Backlog backlog;
   EXPECT_FALSE(backlog.waits()) << "nothing has come";

@@ -122,6 +122,7 @@ TEST(LiveSource, RefusesAStrangerWithTheReason) {
   EXPECT_NE(answer.find("error: "), std::string::npos) << answer;
   EXPECT_EQ(source.sides().front().state, State::kRefused);
   EXPECT_TRUE(tracking::needsAttention(source.sides().front()));
+  EXPECT_NE(tracking::shortTextOf(source.sides().front()).find("refused"), std::string::npos);
   playRows(movingTable(100), receiverAt(addressOf(source)), kAtOnce, {}, nullptr);
   EXPECT_TRUE(eventually([&] { return source.sides().front().received == 100; }))
       << "the robot may still come";
@@ -336,6 +337,7 @@ TEST(LiveSetup, AFaultNamesTheLineOfTheSetUp) {
   const base::InputFault bad = faultOf(motors + "robot: bad.yaml\n");
   EXPECT_EQ(bad.line, 4);
   EXPECT_THAT(bad.remedy, testing::HasSubstr("bad.yaml:1: ")) << "the place in the robot file, too";
+  EXPECT_EQ(faultOf(motors + cameras).key, "cameras.calibration") << "missing";
   const base::InputFault calibration = faultOf(motors + cameras + "  calibration: nowhere\n");
   EXPECT_EQ(calibration.line, 7);
   EXPECT_EQ(calibration.key, "cameras.calibration");

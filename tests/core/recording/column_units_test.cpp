@@ -88,6 +88,8 @@ TEST(ColumnUnits, AColumnThatCouldBeEitherGoesWithItsNeighbours) {
   ASSERT_EQ(findings.size(), 3U);
   EXPECT_FALSE(findings[1].implausible);
   EXPECT_EQ(findings[1].unit, ColumnUnit::kDegrees);
+  EXPECT_NE(findings[1].text.find("plausible by itself, but q_m1 has the same unit"), std::string::npos)
+      << findings[1].text;
 }
 
 TEST(ColumnUnits, AColumnThatItsSpeedShowsInSiDoesNotGoWithItsNeighbours) {

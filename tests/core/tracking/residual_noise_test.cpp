@@ -73,6 +73,25 @@ TEST(WhiteNoise, OfTheTimeStampsIsDistinguishedFromThatOfTheMeasurement) {
   EXPECT_LT(clockSigmaFound(0.0, 5e-5, WhiteNoise(3000, 0.1, 1e-3)), 5e-4);
 }
 
+TEST(WhiteNoise, OfTheTimeStampsStaysZeroWhereItIsStatedSo) {
+  EXPECT_EQ(clockSigmaFound(0.0, 5e-5, WhiteNoise(3000, 0.1, 0.0)), 0.0);
+}
+
+TEST(WhiteNoise, ResetForgetsWhatWasMeasured) {
+  WhiteNoise noise(3000, 0.1, 1e-3);
+  base::Random random(13, "reset");
+  const Vector3d speed(0.05, 0.0, 0.0);
+  for (int k = 0; k < 300; ++k)
+    noise.add(
+        k / 30.0,
+        random.normal(0.0, 0.02) * speed + 1e-5 * Vector3d(random.normal(), random.normal(), random.normal()),
+        speed, 1e-8 * Matrix3d::Identity());
+  EXPECT_GT(noise.clockSigma(), 0.01);
+  noise.reset();
+  EXPECT_DOUBLE_EQ(noise.clockSigma(), 1e-3);
+  EXPECT_EQ(noise.value(4.0 * Matrix3d::Identity(), kAtRest), 4.0 * Matrix3d::Identity());
+}
+
 TEST(WhiteNoise, OfTheTimeStampsIsAsStatedUntilSomethingMoves) {
   WhiteNoise noise(3000, 0.1, 4e-3);
   base::Random random(12, "stamps at rest");

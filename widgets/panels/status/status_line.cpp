@@ -164,7 +164,8 @@ void StatusLine::resizeEvent(QResizeEvent* event) {
 }
 
 bool StatusLine::event(QEvent* event) {
-  if (event->type() == QEvent::ToolTip) setToolTip(text());
+  if (event->type() == QEvent::ToolTip)
+    setToolTip(details_.isEmpty() ? text() : text() + QStringLiteral("\n\n") + details_);
   return QWidget::event(event);
 }
 
@@ -232,7 +233,7 @@ void StatusLine::showStatus(const live::RunStatus& status, double recorded_secon
   const bool live = !status.sides.empty() && status.state == RunState::kRunning;
   const QString state = QString::fromStdString(std::string(base::nameOf(status.state)));
   set(kState, live ? tr("live") : state, status.state == RunState::kFailed ? Tone::kFault : Tone::kPlain);
-  const bool behind = status.state == RunState::kRunning && status.real_time_factor > 0.0 &&
+  const bool behind = !live && status.state == RunState::kRunning && status.real_time_factor > 0.0 &&
                       status.real_time_factor < kBehind * status.speed;
   set(kSpeed, behind ? tr("only ×%1").arg(status.real_time_factor, 0, 'f', 1) : QString(), Tone::kWarning);
   set(kMotor, QStringLiteral("%1 Hz").arg(status.motor_rate, 4, 'f', 0));
@@ -266,13 +267,15 @@ void StatusLine::showSides(const std::vector<tracking::SideStatus>& sides) {
   QStringList words, details;
   bool fault = false;
   for (const tracking::SideStatus& side : sides) {
-    words << QString::fromStdString(tracking::shortTextOf(side));
+    const QString word = QString::fromStdString(tracking::shortTextOf(side)).simplified();
+    tracking::needsAttention(side) ? words.prepend(word) : words.append(word);
     details << QString::fromStdString(tracking::textOf(side));
     fault = fault || tracking::needsAttention(side);
   }
   words.removeAll(QString());
+  details_ = details.join(QLatin1Char('\n'));
   set(kSides, words.join(QStringLiteral(", ")), fault ? Tone::kFault : Tone::kPlain);
-  labels_[kSides]->setToolTip(details.join(QLatin1Char('\n')));
+  labels_[kSides]->setToolTip(details_);
 }
 
 /// Shows which cameras the user blocks; in a recording this is not part of the recorded data.

@@ -82,6 +82,7 @@ class StatusLine : public QWidget {
   void set(Part part, const QString& text, Tone tone = Tone::kPlain);
 
   Theme theme_ = Theme::dark();
+  QString details_;  ///< numbers of the sides of a live source, a line each
   std::array<QLabel*, kParts> labels_{};
   std::array<QLabel*, kParts> dots_{};  ///< dot before each visible part but the first
   std::array<Tone, kParts> tones_{};
