@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/base/error.h"
+#include "core/base/nan.h"
 #include "core/base/parallel.h"
 #include "core/base/progress_share.h"
 #include "core/robot/chain/chain_model.h"
@@ -20,11 +20,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kLongestMemory = 2.0;  // largest TrackingOptions::memory [s]
 
 Vector3d rowOf(const Columns& columns, std::size_t row) {
-  if (columns.empty()) return Vector3d::Constant(kNaN);
+  if (columns.empty()) return Vector3d::Constant(base::kNaN);
   return {columns[0][row], columns[1][row], columns[2][row]};
 }
 
@@ -110,7 +109,7 @@ double rmsOf(const std::vector<ErrorSums>& recordings, std::size_t joint, bool a
   double squares = 0.0, count = 0.0;
   for (const ErrorSums& sums : recordings)
     squares += sums.squaresOf(joint, about_mean), count += sums.count[joint];
-  return count > 0.0 ? std::sqrt(std::max(squares, 0.0) / count) : kNaN;
+  return count > 0.0 ? std::sqrt(std::max(squares, 0.0) / count) : base::kNaN;
 }
 
 bool needsChainKernel(const robot::Description& robot) {

@@ -16,10 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void refuse(const fs::path& file, const std::string& reason, const std::string& remedy) {
-  throw base::InputError({file.string(), 0, {}, {}, reason, remedy});
-}
-
 /// One record and its folder.
 struct Part {
   fs::path folder;
@@ -35,22 +31,22 @@ struct Part {
 void checkSame(const Part& part, const Part& first) {
   const ShardRecord &one = part.record, &other = first.record;
   if (one.command != other.command)
-    refuse(part.file(),
-           fmt::format("is of `{}`, and {} is of `{}`", shellText(one.command), first.file().string(),
-                       shellText(other.command)),
-           "Merge the shards of one command");
+    refuseShard(part.file(),
+                fmt::format("is of `{}`, and {} is of `{}`", shellText(one.command), first.file().string(),
+                            shellText(other.command)),
+                "Merge the shards of one command");
   if (one.shard.count != other.shard.count)
-    refuse(part.file(),
-           fmt::format("is one of {} shards, and {} is one of {}", one.shard.count, first.file().string(),
-                       other.shard.count),
-           "Merge the shards of one sharding");
+    refuseShard(part.file(),
+                fmt::format("is one of {} shards, and {} is one of {}", one.shard.count,
+                            first.file().string(), other.shard.count),
+                "Merge the shards of one sharding");
   if (one.software != other.software)
-    refuse(
+    refuseShard(
         part.file(),
         fmt::format("was computed by {}, and {} by {}", one.software, first.file().string(), other.software),
         "Compute all shards with one version");
   if (one.processor != other.processor)
-    refuse(
+    refuseShard(
         part.file(),
         fmt::format("was computed with {} instructions, and {} with {}: the last bits of the results would "
                     "depend on the sharding",
@@ -67,23 +63,23 @@ void checkLists(const Part& part, const Part& first) {
     return lists;
   };
   if (listed(part) != listed(first))
-    refuse(part.file(), fmt::format("lists other trials than {}", first.file().string()),
-           "Compute all shards with the same input files");
+    refuseShard(part.file(), fmt::format("lists other trials than {}", first.file().string()),
+                "Compute all shards with the same input files");
   const Shard& shard = part.record.shard;
   std::size_t own = 0;
   for (std::size_t k = 0; k < part.record.trials(); ++k) own += shard.owns(k) ? 1 : 0;
   if (own != part.record.own())
-    refuse(part.file(), fmt::format("lists {} of its {} trials", part.record.own(), own), part.again());
+    refuseShard(part.file(), fmt::format("lists {} of its {} trials", part.record.own(), own), part.again());
 }
 
 /// Checks the numbers of sorted parts: each of 1 … count once.
 void checkNumbers(const std::vector<Part>& parts) {
   for (std::size_t i = 1; i < parts.size(); ++i)
     if (parts[i].record.shard == parts[i - 1].record.shard)
-      refuse(parts[i].file(),
-             fmt::format("is shard {}, and so is {}", nameOf(parts[i].record.shard),
-                         parts[i - 1].file().string()),
-             "Give each shard once");
+      refuseShard(parts[i].file(),
+                  fmt::format("is shard {}, and so is {}", nameOf(parts[i].record.shard),
+                              parts[i - 1].file().string()),
+                  "Give each shard once");
   std::vector<std::size_t> missing(parts.front().record.shard.count), there;
   if (missing.size() == parts.size()) return;
   std::iota(missing.begin(), missing.end(), std::size_t{1});
@@ -92,12 +88,12 @@ void checkNumbers(const std::vector<Part>& parts) {
   constexpr std::size_t kNamed = 10;
   const std::vector<std::size_t> named(missing.begin(), missing.begin() + std::min(kNamed, missing.size()));
   const ShardRecord& record = parts.front().record;
-  refuse("merge",
-         fmt::format("{} of {} shards {} missing: {}{}", missing.size(), record.shard.count,
-                     missing.size() == 1 ? "is" : "are", fmt::join(named, ", "),
-                     missing.size() > kNamed ? " …" : ""),
-         fmt::format("Give all shards. A shard is computed by: {}",
-                     commandLineOf(record, {missing.front(), record.shard.count}, "FOLDER")));
+  refuseShard("merge",
+              fmt::format("{} of {} shards {} missing: {}{}", missing.size(), record.shard.count,
+                          missing.size() == 1 ? "is" : "are", fmt::join(named, ", "),
+                          missing.size() > kNamed ? " …" : ""),
+              fmt::format("Give all shards. A shard is computed by: {}",
+                          commandLineOf(record, {missing.front(), record.shard.count}, "FOLDER")));
 }
 
 /// Reads a trial of a shard. A damaged one is refused with the command that computes it again.
@@ -105,7 +101,7 @@ StoredTrial readTrial(const fs::path& file, const std::string& again) {
   try {
     return readStoredTrial(file);
   } catch (const base::InputError& error) {
-    refuse(file, error.fault().reason, again);
+    refuseShard(file, error.fault().reason, again);
   }
 }
 
@@ -123,15 +119,16 @@ ShardSet readShards(const std::vector<fs::path>& folders, const std::string& sof
   if (parts.empty()) throw base::InputError({{}, 0, "merge", {}, "has no shards", "Give their folders"});
   for (const Part& part : parts) checkSame(part, parts.front());
   if (parts.front().record.software != software)
-    refuse(parts.front().file(),
-           fmt::format("was computed by {}, and this is {}", parts.front().record.software, software),
-           "Merge with the program that computed the shards, or compute them again");
+    refuseShard(parts.front().file(),
+                fmt::format("was computed by {}, and this is {}", parts.front().record.software, software),
+                "Merge with the program that computed the shards, or compute them again");
   std::sort(parts.begin(), parts.end(),
             [](const Part& a, const Part& b) { return a.record.shard.index < b.record.shard.index; });
   checkNumbers(parts);
   for (const Part& part : parts)
     if (!part.record.finished)
-      refuse(part.file(), fmt::format("shard {} is not finished", nameOf(part.record.shard)), part.again());
+      refuseShard(part.file(), fmt::format("shard {} is not finished", nameOf(part.record.shard)),
+                  part.again());
   for (const Part& part : parts) checkLists(part, parts.front());
   ShardSet shards;
   for (Part& part : parts) {
@@ -153,7 +150,7 @@ std::vector<double> collectTrials(const ShardSet& shards, const fs::path& out) {
       for (const std::string& name : list.own) {
         const fs::path source = from.fileOf(name);
         if (!fs::exists(source))
-          refuse(source, "does not exist: a trial of shard " + nameOf(shards.records[i].shard), again);
+          refuseShard(source, "does not exist: a trial of shard " + nameOf(shards.records[i].shard), again);
         const StoredTrial trial = readTrial(source, again);
         if (!list.shared) seconds.push_back(trial.seconds);
         const auto [before, first] = common.emplace(to.fileOf(name), source);
@@ -164,8 +161,8 @@ std::vector<double> collectTrials(const ShardSet& shards, const fs::path& out) {
         const StoredTrial other = readStoredTrial(before->second);
         if (trial.fingerprint != other.fingerprint ||
             withoutTimes(trial.result) != withoutTimes(other.result))
-          refuse(source, fmt::format("has another result than {}", before->second.string()),
-                 "Compute all shards with the same input files, on processors of one kind");
+          refuseShard(source, fmt::format("has another result than {}", before->second.string()),
+                      "Compute all shards with the same input files, on processors of one kind");
       }
     }
   return seconds;

@@ -16,11 +16,6 @@ using nlohmann::json;
 constexpr int kFormat = 1;
 constexpr const char* kFormatKey = "capstan_shard";
 
-[[noreturn]] void refuse(const std::filesystem::path& file, const std::string& reason,
-                         const std::string& remedy) {
-  throw base::InputError({file.string(), 0, {}, {}, reason, remedy});
-}
-
 json jsonOf(const ShardRecord& record) {
   json lists = json::array();
   for (const TrialList& list : record.lists)
@@ -75,21 +70,22 @@ std::filesystem::path recordFile(const std::filesystem::path& folder) { return f
 ShardRecord readRecord(const std::filesystem::path& folder) {
   const std::filesystem::path file = recordFile(folder);
   if (!std::filesystem::exists(file))
-    refuse(folder, "is no folder of a shard: it has no shard.json",
-           "Give folders that a command with --shard wrote");
+    refuseShard(folder, "is no folder of a shard: it has no shard.json",
+                "Give folders that a command with --shard wrote");
   const std::string damaged = "Run the command of this shard again into a new folder";
   try {
     json document = json::parse(base::readTextFile(file));
-    if (!document.contains(kFormatKey)) refuse(file, "is no record of a shard", damaged);
+    if (!document.contains(kFormatKey)) refuseShard(file, "is no record of a shard", damaged);
     if (document.at(kFormatKey) != kFormat)
-      refuse(file, "is of another version of this program",
-             "Use the program that wrote it, or run its command again");
+      refuseShard(file, "is of another version of this program",
+                  "Use the program that wrote it, or run its command again");
     const std::string checksum = document.at("checksum").get<std::string>();
     document.erase("checksum");
-    if (base::checksumOf(document.dump()) != checksum) refuse(file, "is damaged (wrong checksum)", damaged);
+    if (base::checksumOf(document.dump()) != checksum)
+      refuseShard(file, "is damaged (wrong checksum)", damaged);
     return recordOf(document);
   } catch (const json::exception& error) {
-    refuse(file, fmt::format("is damaged ({})", error.what()), damaged);
+    refuseShard(file, fmt::format("is damaged ({})", error.what()), damaged);
   }
 }
 
@@ -104,9 +100,14 @@ void checkRecord(const ShardRecord& record, const std::filesystem::path& folder)
   if (!std::filesystem::exists(recordFile(folder))) return;
   const ShardRecord there = readRecord(folder);
   if (there.command == record.command && there.shard == record.shard) return;
-  refuse(recordFile(folder),
-         fmt::format("is of shard {} of `capstan-cli {}`", nameOf(there.shard), shellText(there.command)),
-         "Give another folder with --out: each shard has its own");
+  refuseShard(
+      recordFile(folder),
+      fmt::format("is of shard {} of `capstan-cli {}`", nameOf(there.shard), shellText(there.command)),
+      "Give another folder with --out: each shard has its own");
+}
+
+void refuseShard(const std::filesystem::path& file, const std::string& reason, const std::string& remedy) {
+  throw base::InputError({file.string(), 0, {}, {}, reason, remedy});
 }
 
 std::string shellText(const std::vector<std::string>& words) {

@@ -34,6 +34,10 @@ void writeRecord(const ShardRecord& record, const std::filesystem::path& folder)
 /// Throws base::InputError otherwise.
 void checkRecord(const ShardRecord& record, const std::filesystem::path& folder);
 
+/// Throws base::InputError about a file of a shard.
+[[noreturn]] void refuseShard(const std::filesystem::path& file, const std::string& reason,
+                              const std::string& remedy);
+
 /// Command line that computes the shard into `folder`, for a shell.
 std::string commandLineOf(const ShardRecord& record, const Shard& shard, const std::string& folder);
 /// Words as a shell reads them, quoted where needed.

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "core/estimation/occlusion_gate.h"
+#include "core/identification/solver_end.h"
 #include "core/stats/chi_square.h"
 #include "core/stats/quantile.h"
 
@@ -17,7 +18,7 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int kMostIterations = 30;  // most steps of the solver per stage
+constexpr int kMostBatchIterations = 30;  // most steps of the solver per stage
 
 /// Evaluates the whole recording once per step of the solver; the residual blocks read the result.
 class Evaluation final : public ceres::EvaluationCallback {
@@ -78,9 +79,9 @@ class PriorBlock final : public ceres::CostFunction {
   }
 };
 
-class Watch final : public ceres::IterationCallback {
+class BatchWatch final : public ceres::IterationCallback {
  public:
-  Watch(base::Progress* progress, int most) : progress_(progress), most_(most) {}
+  BatchWatch(base::Progress* progress, int most) : progress_(progress), most_(most) {}
   ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override {
     if (!progress_) return ceres::SOLVER_CONTINUE;
     progress_->report(std::min(1.0, (summary.iteration + 1.0) / most_), "batch identification");
@@ -112,10 +113,10 @@ ceres::Solver::Summary solve(OutputError& error, const ParameterSet& set, Vector
     problem.SetParameterLowerBound(x.data(), i, -set[i].bound / set[i].prior_sigma);
     problem.SetParameterUpperBound(x.data(), i, set[i].bound / set[i].prior_sigma);
   }
-  Watch watch(progress, kMostIterations);
+  BatchWatch watch(progress, kMostBatchIterations);
   ceres::Solver::Options solver;
   solver.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
-  solver.max_num_iterations = kMostIterations;
+  solver.max_num_iterations = kMostBatchIterations;
   solver.initial_trust_region_radius = 100.0;  // Ceres divides the damping by it
   solver.function_tolerance = 1e-7;
   solver.parameter_tolerance = 1e-6;
@@ -125,12 +126,6 @@ ceres::Solver::Summary solve(OutputError& error, const ParameterSet& set, Vector
   ceres::Solver::Summary summary;
   ceres::Solve(solver, &problem, &summary);
   return summary;
-}
-
-BatchEnd endOf(const ceres::Solver::Summary& summary, const base::Progress* progress) {
-  if (progress && progress->cancelled()) return BatchEnd::kCancelled;
-  if (summary.termination_type == ceres::CONVERGENCE) return BatchEnd::kConverged;
-  return summary.termination_type == ceres::NO_CONVERGENCE ? BatchEnd::kIterationLimit : BatchEnd::kFailed;
 }
 
 /// Huber's limit for a fit that is still poor: kHuberLimit times the robust standard deviation of the

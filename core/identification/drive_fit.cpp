@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/identification/solver_end.h"
 #include "core/stats/quantile.h"
 
 namespace capstan::identification {
@@ -15,7 +16,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using Jet = ceres::Jet<double, kDriveQuantities>;
 
-constexpr int kMostIterations = 60;  // most steps of the solver per round
+constexpr int kMostDriveIterations = 60;  // most steps of the solver per round
 
 /// Huber's loss as a residual r̃ with r̃² = 2 ρ(r): r within the limit c, sgn(r) √(2 c |r| − c²) beyond it.
 /// `slope` is dr̃/dr.
@@ -67,9 +68,9 @@ class PriorCost final : public ceres::SizedCostFunction<kDriveQuantities, kDrive
   const DriveParameters& parameters_;
 };
 
-class Watch final : public ceres::IterationCallback {
+class DriveWatch final : public ceres::IterationCallback {
  public:
-  explicit Watch(base::Progress* progress) : progress_(progress) {}
+  explicit DriveWatch(base::Progress* progress) : progress_(progress) {}
   ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override {
     if (!progress_) return ceres::SOLVER_CONTINUE;
     progress_->report(1.0 - 1.0 / (1.0 + 0.1 * summary.iteration), "identification of a drive");
@@ -79,12 +80,6 @@ class Watch final : public ceres::IterationCallback {
  private:
   base::Progress* progress_;
 };
-
-BatchEnd endOf(const ceres::Solver::Summary& summary, const base::Progress* progress) {
-  if (progress && progress->cancelled()) return BatchEnd::kCancelled;
-  if (summary.termination_type == ceres::CONVERGENCE) return BatchEnd::kConverged;
-  return summary.termination_type == ceres::NO_CONVERGENCE ? BatchEnd::kIterationLimit : BatchEnd::kFailed;
-}
 
 }  // namespace
 
@@ -173,7 +168,7 @@ void DriveFit::start() {
 
 /// Measures the noise: robust standard deviations of the residuals. Returns true when they have changed.
 bool DriveFit::measureNoise() {
-  constexpr double kSigmaOfMedian = 1.4826, kRest = 0.02, kLeast = 1e-9;
+  constexpr double kSigmaOfMedian = 1.4826, kSettled = 0.02, kLeast = 1e-9;
   std::vector<double> angles, torques;
   DrivePrediction<double> prediction;
   const DriveLaw<double> law = parameters_.law<double>(logs.data());
@@ -191,8 +186,8 @@ bool DriveFit::measureNoise() {
   const double angle_before = angle_noise_, torque_before = torque_noise_;
   if (!angles.empty()) angle_noise_ = std::max(kLeast, kSigmaOfMedian * stats::median(angles));
   torque_noise_ = torques.empty() ? 0.0 : std::max(kLeast, kSigmaOfMedian * stats::median(torques));
-  return std::abs(angle_noise_ - angle_before) > kRest * angle_before ||
-         std::abs(torque_noise_ - torque_before) > kRest * torque_before;
+  return std::abs(angle_noise_ - angle_before) > kSettled * angle_before ||
+         std::abs(torque_noise_ - torque_before) > kSettled * torque_before;
 }
 
 BatchEnd DriveFit::solve(const Held& held, base::Progress* progress) {
@@ -214,10 +209,10 @@ BatchEnd DriveFit::solve(const Held& held, base::Progress* progress) {
       problem.SetParameterBlockConstant(logs.data());
     else if (!constant.empty())
       problem.SetManifold(logs.data(), new ceres::SubsetManifold(kDriveQuantities, constant));
-    Watch watch(progress);
+    DriveWatch watch(progress);
     ceres::Solver::Options solver;
     solver.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
-    solver.max_num_iterations = kMostIterations;
+    solver.max_num_iterations = kMostDriveIterations;
     solver.function_tolerance = 1e-8;
     solver.logging_type = ceres::SILENT;
     solver.callbacks.push_back(&watch);

@@ -22,7 +22,7 @@ using tracking::MotorFault;
                           "Give motor@seconds, optionally followed by :frozen or :lost: 2@60, all@30:lost"});
 }
 
-std::optional<double> numberOf(std::string_view text) {
+std::optional<double> finiteNumberOf(std::string_view text) {
   double value = 0.0;
   const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (fault != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
@@ -42,7 +42,8 @@ std::vector<MotorFailure> parseMotorFailure(const std::string& text, const std::
   const std::size_t at = all.find('@'), colon = all.find(':');
   if (at == std::string_view::npos || (colon != std::string_view::npos && colon < at)) refuse(text, option);
   const std::string_view motor = all.substr(0, at);
-  const auto time = numberOf(all.substr(at + 1, colon == std::string_view::npos ? colon : colon - at - 1));
+  const auto time =
+      finiteNumberOf(all.substr(at + 1, colon == std::string_view::npos ? colon : colon - at - 1));
   const auto fault = colon == std::string_view::npos ? MotorFault::kFrozen : faultOf(all.substr(colon + 1));
   if (!time || *time < 0.0 || !fault) refuse(text, option);
   std::vector<MotorFailure> failures;

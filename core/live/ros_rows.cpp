@@ -1,9 +1,9 @@
 #include "core/live/ros_rows.h"
 
 #include <cmath>
-#include <limits>
 
 #include "core/base/error.h"
+#include "core/base/nan.h"
 #include "core/ros1/bag_topics.h"
 #include "core/ros1/message_codec.h"
 #include "core/ros1/stamp.h"
@@ -14,7 +14,6 @@ namespace {
 constexpr std::size_t kCapacity = 4000;  // messages: 4 s of 1 kHz
 constexpr std::chrono::milliseconds kWaitForEncoders{20};
 constexpr double kSameTime = 2e-4;  // [s] between stamps of motors and encoders of one cycle
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 ros1::MotorChoice choiceOf(const RowsSetup& setup) { return {setup.names, 1.0, setup.zero, setup.arm - 1}; }
 
@@ -122,7 +121,7 @@ std::optional<recording::MeasuredTable> RosRows::take() {
     push(table.q_m, row.motors.position);
     push(table.dq_m, row.motors.velocity);
     push(table.tau_m, row.motors.torque);
-    push(table.q, row.joints ? row.joints->position : Eigen::Vector3d::Constant(kNaN));
+    push(table.q, row.joints ? row.joints->position : Eigen::Vector3d::Constant(base::kNaN));
   }
   if (table.t.empty()) return {};
   for (recording::TableColumns* columns : {&table.dq_m, &table.tau_m, &table.q}) dropEmpty(*columns);

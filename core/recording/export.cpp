@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 
 #include "core/base/error.h"
+#include "core/base/nan.h"
 #include "core/base/part_file.h"
 #include "core/base/table.h"
 #include "core/base/yaml.h"
@@ -20,8 +20,6 @@
 
 namespace capstan::recording {
 namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 std::string tableText(Database& database, const Table& table, base::Progress* progress) {
   std::string names;
@@ -117,7 +115,7 @@ void checkRoom(const std::filesystem::path& file) {
 /// Writes all samples in transactions of 0.2 s of the recording. Throws SqliteError when the disk is full.
 void writeSamples(tracking::Source& source, SessionWriter& writer, const std::filesystem::path& file,
                   base::Progress* progress, Committed& committed) {
-  constexpr double kPeriod = 0.2;  // [s]
+  constexpr double kCommitPeriod = 0.2;  // [s]
   constexpr std::int64_t kMostRows = 5000;
   tracking::Sample sample;
   std::int64_t seq = 0;
@@ -136,7 +134,7 @@ void writeSamples(tracking::Source& source, SessionWriter& writer, const std::fi
     t = tracking::arrivalOf(sample);
     if (seq == 0) committed.begin = committed.end = t;
     std::visit([&](const auto& row) { writer.write(++seq, row); }, sample);
-    if (t - committed.end >= kPeriod || seq - committed.rows >= kMostRows) {
+    if (t - committed.end >= kCommitPeriod || seq - committed.rows >= kMostRows) {
       commit();
       begin();
     }
@@ -198,7 +196,7 @@ MeasuredTable sessionTable(const std::filesystem::path& session) {
       pushRow(table.dq_m, {rows.real(5), rows.real(6), rows.real(7)});
       pushRow(table.tau_m, {rows.real(8), rows.real(9), rows.real(10)});
     }
-    table.q.assign(3, std::vector<double>(table.rows(), kNaN));
+    table.q.assign(3, std::vector<double>(table.rows(), base::kNaN));
     table.p_c = table.q;
     placeJoints(database, table);
     placeTips(database, table);

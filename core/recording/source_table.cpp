@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "core/base/nan.h"
 
 namespace capstan::recording {
 namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 void pushRow(TableColumns& columns, const Eigen::Vector3d& value) {
   columns.resize(3);
@@ -61,7 +60,7 @@ MeasuredTable tableOf(tracking::Source& source, const std::string& file) {
       tips.push_back(*tip);
     }
   }
-  table.q.assign(3, std::vector<double>(table.rows(), kNaN));
+  table.q.assign(3, std::vector<double>(table.rows(), base::kNaN));
   table.p_c = table.q;
   place(table, joints, tips);
   for (TableColumns* columns : {&table.dq_m, &table.tau_m, &table.q, &table.p_c}) dropEmpty(*columns);

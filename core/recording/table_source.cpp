@@ -4,9 +4,9 @@
 #include <fmt/ranges.h>
 
 #include <array>
-#include <limits>
 
 #include "core/base/error.h"
+#include "core/base/nan.h"
 #include "core/recording/read_table.h"
 #include "core/recording/session_source.h"
 #include "core/recording/settle_units.h"
@@ -15,10 +15,8 @@
 namespace capstan::recording {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
 Eigen::Vector3d rowOf(const TableColumns& columns, std::size_t row) {
-  if (columns.empty()) return Eigen::Vector3d::Constant(kNaN);
+  if (columns.empty()) return Eigen::Vector3d::Constant(base::kNaN);
   return {columns[0][row], columns[1][row], columns[2][row]};
 }
 
@@ -92,7 +90,8 @@ bool RowSamples::next(const MeasuredTable& table, tracking::Sample& out) {
 
 bool TableSource::next(tracking::Sample& out) {
   if (!samples_.next(table_, out)) return false;
-  if (auto* tip = std::get_if<tracking::TipSample>(&out); tip && blocked_) tip->position.setConstant(kNaN);
+  if (auto* tip = std::get_if<tracking::TipSample>(&out); tip && blocked_)
+    tip->position.setConstant(base::kNaN);
   return true;
 }
 

@@ -13,12 +13,11 @@ namespace capstan::registration {
 namespace {
 
 constexpr std::array kSides = {"left", "right"};
-constexpr double kEpipolarLimit = 3.0;  // [px] as when tracking
-constexpr double kMemory = 0.1;         // weight of a new value in a running mean
-constexpr int kMostFrozen = 3;          // equal images in a row that no camera gives
-constexpr double kMostPeriods = 5.0;    // periods without a pair after which the images are missing
-constexpr int kFewJudged = 8;           // pairs that decide on the order of the cameras
-constexpr double kMargin = 6.0;         // [px] around the marker, for its edge
+constexpr double kMemory = 0.1;       // weight of a new value in a running mean
+constexpr int kMostFrozen = 3;        // equal images in a row that no camera gives
+constexpr double kMostPeriods = 5.0;  // periods without a pair after which the images are missing
+constexpr int kFewJudged = 8;         // pairs that decide on the order of the cameras
+constexpr double kMargin = 6.0;       // [px] around the marker, for its edge
 
 cv::Rect around(const vision::MarkerDetection& marker, const cv::Size& size) {
   const double reach = marker.radius + kMargin;

@@ -14,6 +14,10 @@ enum class CameraOrder {
   kNoFit,      ///< the rays do not meet in either order
 };
 
+/// Distance of a pixel from the other pixel's epipolar line beyond which two views show different points
+/// [px]; the limit of tracking.
+inline constexpr double kEpipolarLimit = 3.0;
+
 /// Determines the order from the left and the right detection, which must both be found. `epipolar_limit`
 /// [px] is the largest distance of a pixel from the other pixel's epipolar line at which the rays count as
 /// meeting.

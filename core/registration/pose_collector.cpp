@@ -11,11 +11,7 @@
 #include "core/table_files/write_columns.h"
 
 namespace capstan::registration {
-namespace {
-
-constexpr double kLongestPair = 0.2;  // time between two samples whose distance gives a speed [s]
-
-}  // namespace
+namespace {}  // namespace
 
 bool PoseCollector::isNew(const Eigen::Vector3d& tip, const std::vector<CollectedPose>& poses) const {
   return std::ranges::all_of(
@@ -24,11 +20,7 @@ bool PoseCollector::isNew(const Eigen::Vector3d& tip, const std::vector<Collecte
 
 bool PoseCollector::observe(const tracking::Snapshot& snapshot) {
   if (!snapshot.camera_updated || !snapshot.tip_kin_cam.allFinite()) return false;
-  const double dt = snapshot.t_cam - last_t_;
-  const double speed = (snapshot.tip_kin_cam - last_tip_).norm() / dt;
-  last_t_ = snapshot.t_cam;
-  last_tip_ = snapshot.tip_kin_cam;
-  const bool slow = dt > 0.0 && dt <= kLongestPair && speed <= kSlow;  // false for the first sample: NaN
+  const bool slow = speed_.to(snapshot) <= kSlow;  // false for the first sample: NaN
   if (!slow || !snapshot.tip_in_camera.allFinite() || !(collecting_ || checking_)) return false;
   std::vector<CollectedPose>& into = checking_ ? checks_ : poses_;
   if (!isNew(snapshot.tip_kin_cam, into)) return false;

@@ -2,12 +2,12 @@
 
 #include <Eigen/Core>
 #include <filesystem>
-#include <limits>
 #include <optional>
 #include <vector>
 
 #include "core/base/result.h"
 #include "core/registration/pair_registration.h"
+#include "core/registration/tip_speed.h"
 #include "core/robot/description.h"
 #include "core/tracking/snapshot.h"
 
@@ -74,8 +74,7 @@ class PoseCollector {
 
   robot::Description robot_;
   bool collecting_ = false, checking_ = false;
-  double last_t_ = 0.0;
-  Eigen::Vector3d last_tip_ = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+  TipSpeed speed_;
   std::vector<CollectedPose> poses_, checks_;
   std::vector<std::size_t> fitted_;
   base::Result<PairRegistration, PairRefusal> fit_ = base::failure(PairRefusal{});

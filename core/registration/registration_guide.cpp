@@ -7,6 +7,7 @@
 
 #include "core/base/units.h"
 #include "core/registration/camera_checks.h"
+#include "core/registration/camera_order.h"
 #include "core/robot/arm_kinematics.h"
 #include "core/stats/interval.h"
 #include "core/stats/quantile.h"
@@ -22,7 +23,6 @@ constexpr double kLeastScale = 1e-5;     // [m] smallest spread that is noise an
 constexpr int kLeastToJudge = 5;         // smallest number of points for a meaningful median
 constexpr double kDetectionShare = 0.5;  // smallest share of the frames that must give a point
 constexpr double kOutlierSigma = 4.0;    // distance from the median beyond which a point is an outlier [σ]
-constexpr double kEpipolarLimit = 3.0;   // [px] as when tracking: beyond it, two views show different points
 const Vector3d kStopTolerance(0.035, 0.035, 0.003);     // |q_kin − q_hs| at the stop [rad, rad, m]
 const Vector3d kRestTolerance(0.0018, 0.0018, 0.0002);  // largest travel at rest [rad, rad, m]
 const Vector3d kScatterLimit(0.0015, 0.0015, 0.006);    // largest σ of a point, camera x, y, z [m]

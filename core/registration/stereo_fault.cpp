@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "core/base/units.h"
+#include "core/registration/camera_order.h"
 #include "core/registration/pair_registration.h"
 
 namespace capstan::registration {
@@ -17,8 +18,6 @@ using vision::ImageCorrection;
 
 constexpr double kAgree = 0.15;            // largest residual of a fit, as a share of the points' spread
 constexpr double kLeastShare = 2.0 / 3.0;  // of the rows that agree
-constexpr double kEpipolarLimit = 3.0;     // [px] as when tracking: beyond it, the rays do not meet
-constexpr double kLongestPair = 0.2;       // time between two samples whose distance gives a speed [s]
 
 // Exchanged cameras first: where two corrections fit equally, it is the likelier one.
 constexpr std::array kCorrections = {
@@ -147,11 +146,7 @@ vision::StereoRig scaledBaseline(vision::StereoRig rig, double scale) {
 
 bool StereoWatch::observe(const tracking::Snapshot& snapshot) {
   if (!snapshot.camera_updated || !snapshot.camera_images || !snapshot.tip_kin_cam.allFinite()) return false;
-  const double dt = snapshot.t_cam - last_t_;
-  const double speed = (snapshot.tip_kin_cam - last_tip_).norm() / dt;
-  last_t_ = snapshot.t_cam;
-  last_tip_ = snapshot.tip_kin_cam;
-  const bool slow = dt > 0.0 && dt <= kLongestPair && speed <= kSlow;  // false for the first sample: NaN
+  const bool slow = speed_.to(snapshot) <= kSlow;  // false for the first sample: NaN
   if (!slow || !snapshot.marker[0].found() || !snapshot.marker[1].found()) return false;
   const bool apart = std::ranges::all_of(
       rows_, [&](const PairRow& row) { return (*row.base - snapshot.tip_kin_cam).norm() >= kApart; });

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/registration/pair_table.h"
+#include "core/registration/tip_speed.h"
 #include "core/tracking/snapshot.h"
 #include "core/vision/image_correction.h"
 #include "core/vision/triangulation.h"
@@ -65,8 +66,7 @@ class StereoWatch {
   vision::Triangulator triangulator_;
   std::vector<PairRow> rows_;
   StereoFinding finding_;
-  double last_t_ = 0.0;
-  Eigen::Vector3d last_tip_ = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+  TipSpeed speed_;
 };
 
 }  // namespace capstan::registration

@@ -12,7 +12,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 /// Wrench on a body about the origin of its link frame.
-struct Wrench {
+struct BodyWrench {
   Vector3d moment = Vector3d::Zero();
   Vector3d force = Vector3d::Zero();
 };
@@ -45,9 +45,9 @@ Motion moved(const Motion& before, const Isometry3d& joint, bool revolute, doubl
 }
 
 /// Wrench that the motion of the body requires (Newton–Euler).
-Wrench needed(const Link& link, const Motion& m) {
+BodyWrench needed(const Link& link, const Motion& m) {
   const Vector3d& c = link.centre_of_mass;
-  Wrench wrench;
+  BodyWrench wrench;
   wrench.force = link.mass * (m.acceleration + m.alpha.cross(c) + m.omega.cross(m.omega.cross(c)));
   const Vector3d spin = link.inertia.cwiseProduct(m.omega);
   wrench.moment = link.inertia.cwiseProduct(m.alpha) + m.omega.cross(spin) + c.cross(wrench.force);
@@ -55,7 +55,7 @@ Wrench needed(const Link& link, const Motion& m) {
 }
 
 /// Wrench about the origin of the frame before `joint`, in the axes of that frame.
-Wrench carriedBack(const Isometry3d& joint, const Wrench& w) {
+BodyWrench carriedBack(const Isometry3d& joint, const BodyWrench& w) {
   const Vector3d force = joint.linear() * w.force;
   return {joint.linear() * w.moment + joint.translation().cross(force), force};
 }
@@ -107,7 +107,7 @@ JointVector ChainDynamics::inverse(const JointVector& q, const JointVector& dq,
   const int n = size();
   CAPSTAN_ASSERT(q.size() == n && dq.size() == n && ddq.size() == n);
   std::array<Isometry3d, kMaxJoints> joints;
-  std::array<Wrench, kMaxJoints> wrenches;
+  std::array<BodyWrench, kMaxJoints> wrenches;
   Motion motion;
   motion.acceleration = -gravity_;  // gravity acts like an upward acceleration of the base
   for (int i = 0; i < n; ++i) {
@@ -121,7 +121,7 @@ JointVector ChainDynamics::inverse(const JointVector& q, const JointVector& dq,
     const auto at = static_cast<std::size_t>(i);
     tau[i] = chain_.joint(i).revolute() ? wrenches[at].moment.z() : wrenches[at].force.z();
     if (i == 0) break;
-    const Wrench back = carriedBack(joints[at], wrenches[at]);
+    const BodyWrench back = carriedBack(joints[at], wrenches[at]);
     wrenches[at - 1].moment += back.moment;
     wrenches[at - 1].force += back.force;
   }
@@ -143,7 +143,7 @@ JointMatrix ChainDynamics::massMatrix(const JointVector& q) const {
     if (i < n - 1) beyond = carriedBack(joints[static_cast<std::size_t>(i) + 1], beyond);
     add(beyond, bodyOf(links_[static_cast<std::size_t>(i)]));
     const Vector3d axis = Vector3d::UnitZ();
-    Wrench wrench;  // wrench of a unit acceleration of joint i
+    BodyWrench wrench;  // wrench of a unit acceleration of joint i
     if (chain_.joint(i).revolute())
       wrench = {beyond.inertia.col(2), axis.cross(beyond.moment)};
     else

@@ -5,18 +5,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/base/error.h"
+#include "core/base/nan.h"
 
 namespace capstan::ros1 {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr int kRavenJoints = 8;  // entries of an arm in a raven_state
 
 double entry(const std::vector<double>& values, std::size_t index) {
-  return index < values.size() ? values[index] : kNaN;
+  return index < values.size() ? values[index] : base::kNaN;
 }
 
 /// Index of each chosen motor in the message.

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "core/base/error.h"
+#include "core/ros1/stamp.h"
 
 namespace capstan::ros1 {
 namespace {
@@ -109,7 +110,6 @@ RavenStateLayout::RavenStateLayout(const std::string& definition) {
 
 RavenState RavenStateLayout::read(const Bytes& bytes) const {
   RavenState state;
-  constexpr std::int64_t kSecond = 1000000000;
   state.stamp = numberAt<std::uint32_t>(bytes, 4) * kSecond + numberAt<std::uint32_t>(bytes, 8);
   const std::size_t body = 16 + numberAt<std::uint32_t>(bytes, 12);  // seq, sec, nsec, frame
   state.tau = entriesAt(bytes, body + tau_), state.mpos = entriesAt(bytes, body + mpos_);

@@ -28,7 +28,7 @@ using nlohmann::json;
 using tracking::FilterKind;
 
 /// One filter, its errors, and its NIS once settled.
-struct Candidate {
+struct FilterCandidate {
   tracking::TrackingPipeline pipeline;
   tracking::TrackReport report;
   double nis_sum = 0.0;
@@ -53,7 +53,8 @@ struct Candidate {
   }
 };
 
-Candidate candidateOf(const tracking::SourceInfo& info, const robot::Description& robot, FilterKind filter) {
+FilterCandidate candidateOf(const tracking::SourceInfo& info, const robot::Description& robot,
+                            FilterKind filter) {
   tracking::SourceInfo believed = info;
   believed.robot = robot;
   tracking::TrackingOptions options = tracking::trackingOptionsOf(info);
@@ -71,7 +72,7 @@ std::vector<FilterComparison> compare(tracking::Source& source, const std::vecto
                                       const Disturbance& disturbance, FilterComparison about, double settled,
                                       base::Progress& progress) {
   about.disturbance = disturbance.name;
-  std::vector<Candidate> candidates;
+  std::vector<FilterCandidate> candidates;
   for (const Believed& one : robots)
     for (const FilterKind filter : {FilterKind::kSixState, FilterKind::kAugmented}) {
       robot::Description file = one.robot;
@@ -83,7 +84,7 @@ std::vector<FilterComparison> compare(tracking::Source& source, const std::vecto
   tracking::Sample sample;
   for (std::uint64_t count = 0; !progress.cancelled() && occluded.next(sample); ++count) {
     if (disturbance.samples) disturbance.samples(sample, duration);
-    for (Candidate& candidate : candidates) candidate.take(sample, settled);
+    for (FilterCandidate& candidate : candidates) candidate.take(sample, settled);
     if (count % 256 == 0 && duration > 0.0)
       progress.report(std::min(1.0, tracking::arrivalOf(sample) / duration), about.recording);
   }

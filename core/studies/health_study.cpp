@@ -67,7 +67,7 @@ std::vector<Fault> faults() {
   return all;
 }
 
-struct Candidate {
+struct HealthCandidate {
   Fault fault;
   tracking::TrackingPipeline pipeline;
   robot::Description robot;
@@ -82,8 +82,8 @@ struct Candidate {
   }
 };
 
-Candidate candidateOf(const tracking::SourceInfo& info, const simulation::Truth& truth, double duration,
-                      Fault fault) {
+HealthCandidate candidateOf(const tracking::SourceInfo& info, const simulation::Truth& truth, double duration,
+                            Fault fault) {
   tracking::SourceInfo assumed = info;
   if (fault.true_radii) assumed.robot = withTrueRadii(info.robot, truth);
   if (assumed.base_from_camera)
@@ -154,17 +154,17 @@ std::vector<Outcome> session(const HealthStudyOptions& options, std::uint64_t se
                              base::Progress& progress) {
   const simulation::SimulatedOptions simulated = simulationOf(options, seed);
   simulation::SimulatedSource source(simulated);
-  std::vector<Candidate> candidates;
+  std::vector<HealthCandidate> candidates;
   for (Fault& fault : faults())
     candidates.push_back(candidateOf(source.info(), simulated.truth, options.duration, std::move(fault)));
   Sample sample;
   for (std::uint64_t count = 0; !progress.cancelled() && source.next(sample); ++count) {
-    for (Candidate& candidate : candidates) candidate.take(sample);
+    for (HealthCandidate& candidate : candidates) candidate.take(sample);
     if (count % 256 == 0)
       progress.report(std::min(1.0, tracking::arrivalOf(sample) / options.duration), "tracking");
   }
   std::vector<Outcome> outcomes;
-  for (const Candidate& candidate : candidates)
+  for (const HealthCandidate& candidate : candidates)
     outcomes.push_back({tracking::healthOf(candidate.report, candidate.robot, candidate.memory),
                         candidate.report.innovations.nis(), candidate.report.errors.ukf().value()});
   return outcomes;

@@ -25,7 +25,7 @@ using tracking::FilterKind;
 using tracking::OneCamera;
 using Comparisons = std::vector<OneCameraComparison>;
 
-struct Candidate {
+struct OneCameraCandidate {
   tracking::TrackingPipeline pipeline;
   tracking::TrackReport report;
   stats::RunningRms<3> blocked;
@@ -44,8 +44,8 @@ struct Candidate {
   }
 };
 
-Candidate candidateOf(const tracking::SourceInfo& info, const robot::Description& robot, FilterKind filter,
-                      OneCamera one_camera) {
+OneCameraCandidate candidateOf(const tracking::SourceInfo& info, const robot::Description& robot,
+                               FilterKind filter, OneCamera one_camera) {
   tracking::SourceInfo believed = info;
   believed.robot = robot;
   tracking::TrackingOptions options = tracking::trackingOptionsOf(info);
@@ -116,7 +116,7 @@ Comparisons compare(const OneCameraStudyOptions& options, double share, base::Pr
   simulation::SimulatedSource source(simulated);
   const tracking::SourceInfo& info = source.info();
   Comparisons all;
-  std::vector<Candidate> candidates;
+  std::vector<OneCameraCandidate> candidates;
   for (const bool true_radii : {false, true})
     for (const FilterKind filter : {FilterKind::kSixState, FilterKind::kAugmented}) {
       const auto robot = true_radii ? withTrueRadii(info.robot, simulated.truth) : info.robot;
@@ -130,7 +130,7 @@ Comparisons compare(const OneCameraStudyOptions& options, double share, base::Pr
   live::OccludedSource occluded(source, {.percentage = share, .cameras = options.blocked});
   tracking::Sample sample;
   for (std::uint64_t count = 0; !progress.cancelled() && occluded.next(sample); ++count) {
-    for (Candidate& candidate : candidates) candidate.take(sample, occluded.blocked());
+    for (OneCameraCandidate& candidate : candidates) candidate.take(sample, occluded.blocked());
     if (count % 256 == 0)
       progress.report(std::min(1.0, tracking::arrivalOf(sample) / options.duration), "tracking");
   }

@@ -6,14 +6,12 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
-#include <limits>
 
 #include "core/base/error.h"
+#include "core/base/nan.h"
 
 namespace capstan::table_files {
 namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 std::string_view trimmed(std::string_view text) {
   const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r' || c == '"'; };
@@ -70,7 +68,7 @@ Header parseHeader(std::string_view line, const std::string& file, const ColumnT
 bool parseNumber(std::string_view cell, double& value) {
   cell = trimmed(cell);
   if (cell.empty()) {
-    value = kNaN;
+    value = base::kNaN;
     return true;
   }
   if (cell.front() == '+') cell.remove_prefix(1);

@@ -5,19 +5,17 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "core/base/error.h"
+#include "core/base/nan.h"
 
 namespace capstan::table_files {
 namespace {
 
 using Json = nlohmann::json;
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 /// A column while the file is being read.
 struct Column {
@@ -34,22 +32,22 @@ class RowTaker final : public Json::json_sax_t {
   /// Gives the columns without a value in this row NaN.
   void finish() {
     ++rows_;
-    for (std::vector<double>* values : taken_) values->resize(rows_, kNaN);
+    for (std::vector<double>* values : taken_) values->resize(rows_, base::kNaN);
   }
   std::size_t rows() const { return rows_; }
 
   bool null() override { return depth_ > 0 || refuseLine("null"); }
-  bool boolean(bool value) override { return take(kNaN, value ? "true" : "false"); }
+  bool boolean(bool value) override { return take(base::kNaN, value ? "true" : "false"); }
   bool number_integer(number_integer_t value) override { return take(static_cast<double>(value), {}); }
   bool number_unsigned(number_unsigned_t value) override { return take(static_cast<double>(value), {}); }
   bool number_float(number_float_t value, const string_t& text) override { return take(value, text); }
-  bool string(string_t& value) override { return take(kNaN, value); }
+  bool string(string_t& value) override { return take(base::kNaN, value); }
   bool binary(binary_t&) override { return false; }
-  bool start_object(std::size_t) override { return ++depth_ == 1 || take(kNaN, "{…}"); }
+  bool start_object(std::size_t) override { return ++depth_ == 1 || take(base::kNaN, "{…}"); }
   bool end_object() override { return --depth_, true; }
   bool start_array(std::size_t) override {
     if (depth_ == 0) return refuseLine("[…]");
-    return ++depth_, take(kNaN, "[…]");
+    return ++depth_, take(base::kNaN, "[…]");
   }
   bool end_array() override { return --depth_, true; }
 
@@ -86,7 +84,7 @@ class RowTaker final : public Json::json_sax_t {
     if (!std::isfinite(value))
       throw base::InputError({file_, line_, at_->first, text, "is not a finite number",
                               "Write a decimal number, or null where there is no value"});
-    at_->second.values->resize(rows_, kNaN);
+    at_->second.values->resize(rows_, base::kNaN);
     at_->second.values->push_back(value);
     return true;
   }

@@ -11,7 +11,7 @@
 namespace capstan::table_files {
 namespace {
 
-constexpr std::size_t kPiece = 1U << 16;
+constexpr std::size_t kPieceBytes = 1U << 16;
 
 }  // namespace
 
@@ -43,7 +43,7 @@ void FileBytes::read(void* to, std::size_t count) {
 
 struct InflatedBytes::State {
   FileBytes from;
-  std::array<unsigned char, kPiece> in{};
+  std::array<unsigned char, kPieceBytes> in{};
   z_stream zlib{};
 };
 
@@ -61,7 +61,7 @@ void InflatedBytes::read(void* to, std::size_t count) {
   zlib.avail_out = static_cast<uInt>(count);
   while (zlib.avail_out > 0) {
     if (zlib.avail_in == 0) {
-      const auto piece = static_cast<std::size_t>(std::min<std::uint64_t>(kPiece, state_->from.left()));
+      const auto piece = static_cast<std::size_t>(std::min<std::uint64_t>(kPieceBytes, state_->from.left()));
       if (piece == 0) refuseDamagedMatlab(file);
       state_->from.read(state_->in.data(), piece);
       zlib.next_in = state_->in.data();

@@ -10,7 +10,7 @@ constexpr std::uint32_t kMostDims = 32;
 constexpr std::uint32_t kLongestName = 4096;       ///< bytes; names of columns have few
 constexpr std::uint32_t kLongestNames = 1U << 20;  ///< bytes of the names of all fields
 constexpr std::uint32_t kComplex = 0x0800;
-constexpr std::size_t kPiece = 8192;  ///< numbers that are read at once
+constexpr std::size_t kPieceNumbers = 8192;  ///< numbers that are read at once
 
 std::uint32_t padded(std::uint32_t size) { return (8 - size % 8) % 8; }
 
@@ -67,7 +67,7 @@ template <class T>
 void MatlabReader::append(std::size_t count, std::vector<double>& values) {
   std::vector<char> piece;
   while (count > 0) {
-    const std::size_t now = std::min(count, kPiece);
+    const std::size_t now = std::min(count, kPieceNumbers);
     piece.resize(now * sizeof(T));
     bytes_.read(piece.data(), piece.size());
     for (std::size_t i = 0; i < now; ++i) {

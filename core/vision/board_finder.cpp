@@ -55,12 +55,12 @@ std::optional<BoardCorners> findChessboard(const cv::Mat& grey, const Calibratio
   return found;
 }
 
-[[noreturn]] void refuse(const std::string& key, const std::string& value, const std::string& reason,
-                         const std::string& remedy) {
+}  // namespace
+
+void refuseCalibration(const std::string& key, const std::string& value, const std::string& reason,
+                       const std::string& remedy) {
   throw base::InputError({"calibration", 0, key, value, reason, remedy});
 }
-
-}  // namespace
 
 bool BoardPair::enough() const {
   if (points.size() < kLeastCorners) return false;
@@ -84,15 +84,16 @@ class BoardFinder::Markers {
     const int needed = charuco ? (options.board_columns + 1) * (options.board_rows + 1) / 2
                                : options.board_columns * options.board_rows;
     if (needed > dictionary_->bytesList.rows)
-      refuse("dictionary", std::string(base::nameOf(options.dictionary)),
-             fmt::format("has {} markers, but the board has {}", dictionary_->bytesList.rows, needed),
-             "Choose the board's own dictionary");
+      refuseCalibration(
+          "dictionary", std::string(base::nameOf(options.dictionary)),
+          fmt::format("has {} markers, but the board has {}", dictionary_->bytesList.rows, needed),
+          "Choose the board's own dictionary");
     const auto square = static_cast<float>(options.square_size);
     const auto marker = static_cast<float>(options.marker_size);
     if (!(marker > 0.0F && marker < square))
-      refuse("marker_size", fmt::format("{}", options.marker_size),
-             fmt::format("is not between 0 and square_size, {}", options.square_size),
-             "Give the side of a marker");
+      refuseCalibration("marker_size", fmt::format("{}", options.marker_size),
+                        fmt::format("is not between 0 and square_size, {}", options.square_size),
+                        "Give the side of a marker");
     if (charuco) {
       charuco_ = aruco::CharucoBoard::create(options.board_columns + 1, options.board_rows + 1, square,
                                              marker, dictionary_);

@@ -51,4 +51,8 @@ class BoardFinder {
 /// corners with columns >= rows; none: the image shows no chessboard of 3 × 3 inner corners or more.
 std::optional<cv::Size> chessboardSize(const cv::Mat& grey);
 
+/// Throws base::InputError about an option or the images of a calibration.
+[[noreturn]] void refuseCalibration(const std::string& key, const std::string& value,
+                                    const std::string& reason, const std::string& remedy);
+
 }  // namespace capstan::vision

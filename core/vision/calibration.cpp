@@ -22,22 +22,19 @@ const cv::TermCriteria kStop(cv::TermCriteria::COUNT | cv::TermCriteria::EPS, 20
 
 using Corners = std::vector<std::vector<cv::Point2f>>;
 
-[[noreturn]] void refuse(const std::string& key, const std::string& value, const std::string& reason,
-                         const std::string& remedy) {
-  throw base::InputError({"calibration", 0, key, value, reason, remedy});
-}
-
 void check(const CalibrationInput& input, const CalibrationOptions& options) {
   if (input.left.size() != input.right.size())
-    refuse("images",
-           std::to_string(input.left.size()) + " left, " + std::to_string(input.right.size()) + " right",
-           "are not pairs", "Give as many left images as right ones, in the same order");
+    refuseCalibration(
+        "images",
+        std::to_string(input.left.size()) + " left, " + std::to_string(input.right.size()) + " right",
+        "are not pairs", "Give as many left images as right ones, in the same order");
   CalibrationOptions::visit(options, [](const auto& value, const base::FieldInfo& info) {
     if constexpr (std::is_arithmetic_v<std::decay_t<decltype(value)>>)
       if (!info.range.contains(static_cast<double>(value)))
-        refuse(std::string(info.key), std::to_string(value),
-               "is outside " + std::to_string(info.range.min) + " to " + std::to_string(info.range.max),
-               "Choose a value in the range: " + std::string(info.meaning));
+        refuseCalibration(
+            std::string(info.key), std::to_string(value),
+            "is outside " + std::to_string(info.range.min) + " to " + std::to_string(info.range.max),
+            "Choose a value in the range: " + std::string(info.meaning));
   });
 }
 
@@ -184,16 +181,18 @@ void requireViews(const BoardViews& boards, const CalibrationReport& report,
                   const CalibrationOptions& options, const std::optional<cv::Size>& other) {
   if (boards.seen.size() >= kLeastViews) return;
   if (other)
-    refuse("board", std::to_string(options.board_columns) + "x" + std::to_string(options.board_rows),
-           "is not the size of the board: the images show one of " + std::to_string(other->width) + "x" +
-               std::to_string(other->height) + " inner corners",
-           "Give that size");
+    refuseCalibration("board",
+                      std::to_string(options.board_columns) + "x" + std::to_string(options.board_rows),
+                      "is not the size of the board: the images show one of " + std::to_string(other->width) +
+                          "x" + std::to_string(other->height) + " inner corners",
+                      "Give that size");
   std::string reasons;
   for (const CalibrationView& view : report.views)
     if (!view.used()) reasons += "; " + view.left + ": " + std::string(base::nameOf(view.fault));
-  refuse("pairs", std::to_string(boards.seen.size()) + " usable of " + std::to_string(report.views.size()),
-         "is fewer than 3" + reasons,
-         "Check board_columns and board_rows (inner corners), and take more pairs that show the whole board");
+  refuseCalibration(
+      "pairs", std::to_string(boards.seen.size()) + " usable of " + std::to_string(report.views.size()),
+      "is fewer than 3" + reasons,
+      "Check board_columns and board_rows (inner corners), and take more pairs that show the whole board");
 }
 
 }  // namespace

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <opencv2/core.hpp>
 
 #include "core/base/error.h"
+#include "core/base/nan.h"
 #include "core/base/part_file.h"
 #include "core/base/yaml.h"
 #include "core/vision/opencv_storage.h"
@@ -16,7 +16,6 @@ namespace {
 
 constexpr int kMostNumbers = 64;        ///< of a matrix; D has at most 14
 constexpr double kLargestNumber = 1e9;  ///< of a matrix [px], [m]
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 /// An OpenCV file. All functions throw base::InputError with the file's name.
 class OpenCvFile {
@@ -72,8 +71,9 @@ class OpenCvFile {
  private:
   /// The number of a node; NaN: it is none.
   static double numberOf(const YAML::Node& node) {
-    double value = kNaN;
-    if (!node.IsDefined() || !node.IsScalar() || !YAML::convert<double>::decode(node, value)) return kNaN;
+    double value = base::kNaN;
+    if (!node.IsDefined() || !node.IsScalar() || !YAML::convert<double>::decode(node, value))
+      return base::kNaN;
     return value;
   }
   /// Number of rows or columns; 0: none that a matrix of a calibration has.

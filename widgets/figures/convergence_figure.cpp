@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "core/base/nan.h"
 #include "widgets/figures/figure_text.h"
 #include "widgets/figures/legend_entries.h"
 
@@ -11,10 +11,9 @@ namespace capstan::widgets {
 
 namespace {
 
-constexpr double kBandFrom = 0.2;      ///< share of the time after which the axis includes the band
-constexpr int kLeastPanelWidth = 160;  ///< [px] of panels side by side
-constexpr int kFewPanels = 3;          ///< up to so many panels share one column of a broad figure
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kBandFrom = 0.2;            ///< share of the time after which the axis includes the band
+constexpr int kLeastConvergenceWidth = 160;  ///< [px] of panels side by side
+constexpr int kFewPanels = 3;                ///< up to so many panels share one column of a broad figure
 
 bool known(const ConvergencePanel& data, std::size_t i) {
   return std::isfinite(data.t[i]) && std::isfinite(data.value[i]);
@@ -28,7 +27,7 @@ std::optional<std::size_t> lastOf(const ConvergencePanel& data) {
 }
 
 QCPRange timeOf(const ConvergencePanel& data) {
-  QCPRange range(kNaN, kNaN);
+  QCPRange range(base::kNaN, base::kNaN);
   for (const double t : data.t) {
     range.lower = std::fmin(range.lower, t);
     range.upper = std::fmax(range.upper, t);
@@ -143,7 +142,7 @@ void ConvergenceFigure::build(const ConvergencePanel& data) {
   QVector<double> t, value;
   for (std::size_t i = 0; i < data.t.size(); ++i) {
     t << data.t[i];
-    value << (known(data, i) ? data.value[i] : kNaN);
+    value << (known(data, i) ? data.value[i] : base::kNaN);
     // SVG files have no clipping: the band is cut to the axis here.
     const QCPRange band = bandOf(value.back(), data.sigma[i]);
     curves.band->add(data.t[i], std::clamp(band.lower, values.lower, values.upper),
@@ -162,7 +161,7 @@ void ConvergenceFigure::build(const ConvergencePanel& data) {
 
 int ConvergenceFigure::columnsFor(QSize size) const {
   const int panels = static_cast<int>(data_.panels.size());
-  return panels <= kFewPanels ? 1 : std::clamp(size.width() / kLeastPanelWidth, 1, 2);
+  return panels <= kFewPanels ? 1 : std::clamp(size.width() / kLeastConvergenceWidth, 1, 2);
 }
 
 bool ConvergenceFigure::sharesX() const {
@@ -202,9 +201,10 @@ std::vector<FigureNumbers> ConvergenceFigure::numbers() const {
       trace += name + csvNumber(panel.t[i]) + "," + csvNumber(panel.value[i]) + "," +
                csvNumber(panel.sigma[i]) + "\n";
     const auto last = lastOf(panel);
-    summary += name + csvNumber(last ? panel.value[*last] : kNaN) + "," +
-               csvNumber(last ? panel.sigma[*last] : kNaN) + "," + csvNumber(panel.truth.value_or(kNaN)) +
-               "," + csvNumber(panel.nominal) + "," + csvNumber(panel.settled_at.value_or(kNaN)) + "\n";
+    summary += name + csvNumber(last ? panel.value[*last] : base::kNaN) + "," +
+               csvNumber(last ? panel.sigma[*last] : base::kNaN) + "," +
+               csvNumber(panel.truth.value_or(base::kNaN)) + "," + csvNumber(panel.nominal) + "," +
+               csvNumber(panel.settled_at.value_or(base::kNaN)) + "\n";
   }
   return {{"", trace}, {"_summary", summary}};
 }

@@ -5,6 +5,7 @@
 #include "core/base/error.h"
 #include "core/base/yaml.h"
 #include "core/experiments/published.h"
+#include "widgets/figures/export_folder.h"
 
 namespace capstan::widgets {
 
@@ -12,10 +13,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using experiments::Results;
-
-[[noreturn]] void refuse(const fs::path& folder, const std::string& reason, const std::string& remedy) {
-  throw base::InputError({folder.string(), 0, {}, {}, reason, remedy});
-}
 
 std::vector<std::string> namesOf(const std::vector<fs::path>& files) {
   std::vector<std::string> names;
@@ -108,8 +105,8 @@ FigureExport::FigureExport(std::vector<Results> results, fs::path folder, const 
   if (options.tables)
     for (experiments::NamedTable& table : tablesOf(results_)) tables_.push_back(std::move(table));
   if (drawings_.empty() && tables_.empty())
-    refuse(folder_, "would stay empty: the results have no data for the chosen figures and tables",
-           "Run the experiment whose figures these are");
+    refuseExport(folder_, "would stay empty: the results have no data for the chosen figures and tables",
+                 "Run the experiment whose figures these are");
   report_.missing = missingOf(results_);
   page_ = pageFor(results_);
   page_.missing = report_.missing;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <string_view>
 
 #include "widgets/figures/index_page.h"
@@ -15,5 +16,9 @@ void checkExportFolder(const std::filesystem::path& folder, std::string_view mar
 /// Creates the folder with an index page that has the mark and says that the run is not finished, so that a
 /// failed run can be repeated into the same folder. Throws base::InputError as checkExportFolder().
 void makeExportFolder(const std::filesystem::path& folder, std::string_view mark);
+
+/// Throws base::InputError about the folder of an export.
+[[noreturn]] void refuseExport(const std::filesystem::path& folder, const std::string& reason,
+                               const std::string& remedy);
 
 }  // namespace capstan::widgets

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "core/base/nan.h"
 #include "widgets/figures/common_bins.h"
 #include "widgets/figures/figure_text.h"
 #include "widgets/figures/histogram_bars.h"
@@ -12,10 +12,8 @@ namespace capstan::widgets {
 
 namespace {
 
-constexpr double kHeadroom = 1.12;     ///< end of the value axis, relative to the highest bar
-constexpr int kLeastPanelWidth = 190;  ///< [px] of panels side by side
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kHeadroom = 1.12;         ///< end of the value axis, relative to the highest bar
+constexpr int kLeastHistogramWidth = 190;  ///< [px] of panels side by side
 
 std::vector<double> finite(const std::vector<double>& values) {
   std::vector<double> kept;
@@ -60,8 +58,8 @@ void HistogramFigure::compute() {
       Result result;
       result.n = kept[i].size();
       result.without_value = panel.series[i].values.size() - kept[i].size();
-      result.mean = result.n > 0 ? stats::mean(kept[i]) : kNaN;
-      result.sigma = result.n > 1 ? stats::standardDeviation(kept[i]) : kNaN;
+      result.mean = result.n > 0 ? stats::mean(kept[i]) : base::kNaN;
+      result.sigma = result.n > 1 ? stats::standardDeviation(kept[i]) : base::kNaN;
       if (result.n > 0) result.histogram = stats::histogram(kept[i], bins->low, bins->high, bins->count);
       results.push_back(std::move(result));
     }
@@ -101,7 +99,7 @@ void HistogramFigure::build() {
         addPanel({{QStringLiteral("%1 [%2]").arg(data.title, data.unit), true}, {words(p), false}},
                  QStringLiteral("%1 [%2]").arg(data_.quantity, data.unit),
                  data_.density ? tr("density [1/%1]").arg(data.unit) : tr("samples [–]"));
-    double highest = 0.0, low = kNaN, high = kNaN;
+    double highest = 0.0, low = base::kNaN, high = base::kNaN;
     auto& bars = bars_.emplace_back();
     for (const Result& result : results_[p]) {
       bars.push_back(new HistogramBars(panel.axes));
@@ -123,7 +121,7 @@ void HistogramFigure::build() {
 
 /// Uses one row per group, if the groups have equal sizes and fit.
 int HistogramFigure::columnsFor(QSize size) const {
-  const int room = std::max(1, size.width() / kLeastPanelWidth);
+  const int room = std::max(1, size.width() / kLeastHistogramWidth);
   const auto of_first = static_cast<int>(
       std::count_if(data_.panels.begin(), data_.panels.end(), [&](const HistogramPanel& panel) {
         return panel.group >= 0 && panel.group == data_.panels.front().group;

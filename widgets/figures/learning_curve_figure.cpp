@@ -14,7 +14,7 @@ namespace {
 
 using learning::CorrectionErrors;
 
-constexpr int kLeastPanelWidth = 330;  ///< [px] of panels side by side
+constexpr int kLeastLearningCurveWidth = 330;  ///< [px] of panels side by side
 
 double meanOf(const CorrectionErrors& errors, bool angle) {
   return base::degreesOrMillimetres(angle ? errors.angle : errors.distance, angle);
@@ -93,7 +93,9 @@ void LearningCurveFigure::build(bool angle) {
   curves_.push_back(curves);
 }
 
-int LearningCurveFigure::columnsFor(QSize size) const { return size.width() >= 2 * kLeastPanelWidth ? 2 : 1; }
+int LearningCurveFigure::columnsFor(QSize size) const {
+  return size.width() >= 2 * kLeastLearningCurveWidth ? 2 : 1;
+}
 
 void LearningCurveFigure::laidOut() {
   for (const Panel& panel : panels()) {

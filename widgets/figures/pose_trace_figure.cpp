@@ -11,9 +11,9 @@ namespace capstan::widgets {
 
 namespace {
 
-constexpr double kGap = 10.0;  ///< shortest shaded gap without observations, in periods
+constexpr double kObservationGap = 10.0;  ///< shortest shaded gap without observations, in periods
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-constexpr int kLeastPanelWidth = 280;                              ///< [px] of panels side by side
+constexpr int kLeastTraceWidth = 280;                              ///< [px] of panels side by side
 constexpr std::array<std::size_t, 6> kOrder = {0, 3, 1, 4, 2, 5};  ///< positions left, angles right
 
 /// Observations that are not drawn as lines: rejected ones, unless all are rejected.
@@ -55,7 +55,7 @@ void PoseTraceFigure::build(std::size_t degree) {
   setGroup(degree < 3 ? 0 : 1);
   const Panel& panel = addPanel({{QStringLiteral("%1 [%2]").arg(name, unit), true}}, tr("time [s]"),
                                 QStringLiteral("%1 [%2]").arg(name, unit));
-  gaps_.push_back(new TimeShade(panel.axes, gapsIn(data_.t, kGap * typicalPeriod(data_.t))));
+  gaps_.push_back(new TimeShade(panel.axes, gapsIn(data_.t, kObservationGap * typicalPeriod(data_.t))));
   QCPAxis* x = panel.axes->axis(QCPAxis::atBottom);
   QCPAxis* y = panel.axes->axis(QCPAxis::atLeft);
   panel.empty->setVisible(data_.t.empty());
@@ -64,7 +64,7 @@ void PoseTraceFigure::build(std::size_t degree) {
   const QCPRange range = rangeOf(data_, excluded, degree);
   y->setRange(range);
   Curves curves{};
-  const double longest = kGap * typicalPeriod(data_.t);
+  const double longest = kObservationGap * typicalPeriod(data_.t);
   // The last estimate is drawn first and the commanded pose last, so that each stays visible where they
   // coincide.
   for (const std::size_t s : {std::size_t{1}, std::size_t{2}, std::size_t{0}}) {
@@ -89,7 +89,7 @@ void PoseTraceFigure::build(std::size_t degree) {
   curves_.push_back(curves);
 }
 
-int PoseTraceFigure::columnsFor(QSize size) const { return size.width() >= 2 * kLeastPanelWidth ? 2 : 1; }
+int PoseTraceFigure::columnsFor(QSize size) const { return size.width() >= 2 * kLeastTraceWidth ? 2 : 1; }
 
 QPen PoseTraceFigure::penOf(PoseSource source) const {
   QPen pen = theme().pen(quantityOf(source));

@@ -10,8 +10,8 @@ namespace capstan::widgets {
 
 namespace {
 
-constexpr int kLeastPanelWidth = 330;  ///< [px] of panels side by side
-constexpr int kSteps = 100;            ///< number of stated shares
+constexpr int kLeastReliabilityWidth = 330;  ///< [px] of panels side by side
+constexpr int kSteps = 100;                  ///< number of stated shares
 
 double stepShare(int step) { return std::min(static_cast<double>(step) / kSteps, 0.9999); }
 
@@ -56,7 +56,9 @@ void ReliabilityFigure::build(bool rotation) {
   }
 }
 
-int ReliabilityFigure::columnsFor(QSize size) const { return size.width() >= 2 * kLeastPanelWidth ? 2 : 1; }
+int ReliabilityFigure::columnsFor(QSize size) const {
+  return size.width() >= 2 * kLeastReliabilityWidth ? 2 : 1;
+}
 
 void ReliabilityFigure::restyle() {
   const double line = scale().line;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/nan.h"
 #include "core/diagnosis/report/shown.h"
 #include "widgets/figures/channel_note.h"
 #include "widgets/figures/figure_text.h"
@@ -16,8 +17,7 @@ namespace {
 using diagnosis::ShownUnit;
 using diagnosis::shownUnit;
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double kGap = 5.0;       ///< shortest gap that interrupts a line, in periods
+constexpr double kLineGap = 5.0;   ///< shortest gap that interrupts a line, in periods
 constexpr int kMostSmooth = 6000;  ///< lines with more points are drawn pixel by pixel
 
 QString fromUtf8(const std::string& text) { return QString::fromStdString(text); }
@@ -101,7 +101,7 @@ void ResidualFigure::build(const ResidualTrace& trace) {
   const QString channel = fromUtf8(trace.channel), unit = fromUtf8(shownUnit(trace.unit).unit);
   const double scale = shownUnit(trace.unit).scale;
   const bool extended = !trace.extended.empty();
-  const std::vector<TimeInterval> gaps = gapsIn(trace.t, kGap * trace.period);
+  const std::vector<TimeInterval> gaps = gapsIn(trace.t, kLineGap * trace.period);
   setGroup(static_cast<int>(noise_.size()));
   const QCPRange time = trace.t.size() > 1 ? QCPRange(trace.t.front(), trace.t.back()) : QCPRange(0.0, 1.0);
   const auto dress = [&](const Panel& panel, const QCPRange& values) {
@@ -143,9 +143,9 @@ void ResidualFigure::addLine(QCPAxisRect* axes, Line line, const ResidualTrace& 
   const double scale = shownUnit(trace.unit).scale;
   QVector<double> t, value;
   for (std::size_t i = 0; i < values.size(); ++i) {
-    if (i > 0 && trace.t[i] - trace.t[i - 1] > kGap * trace.period) {
+    if (i > 0 && trace.t[i] - trace.t[i - 1] > kLineGap * trace.period) {
       t << 0.5 * (trace.t[i] + trace.t[i - 1]);
-      value << kNaN;
+      value << base::kNaN;
     }
     t << trace.t[i];
     value << scale * values[i];
@@ -217,7 +217,7 @@ std::vector<FigureNumbers> ResidualFigure::numbers() const {
       rows += name + csvNumber(trace.t[i]);
       for (const auto* values : {&trace.measured, &trace.nominal, &trace.refitted})
         rows += "," + csvNumber(unit.scale * (*values)[i]);
-      rows += "," + csvNumber(trace.extended.empty() ? kNaN : unit.scale * trace.extended[i]) + "\n";
+      rows += "," + csvNumber(trace.extended.empty() ? base::kNaN : unit.scale * trace.extended[i]) + "\n";
     }
     for (const auto& [model, statistics] : {std::pair{"nominal", &trace.nominal_statistics},
                                             {"refitted", &trace.refitted_statistics},

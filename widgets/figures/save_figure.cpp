@@ -16,15 +16,15 @@ namespace capstan::widgets {
 
 namespace {
 
-constexpr double kPixelScale = 2.0;  ///< PNG pixels per point: sharp in print
-constexpr int kResolution = 96;      ///< points per inch, so that text has the same size in every format
+constexpr double kPixelScale = 2.0;    ///< PNG pixels per point: sharp in print
+constexpr int kFigureResolution = 96;  ///< points per inch, so that text has the same size in every format
 
 bool saveSvg(QCustomPlot& plot, const QString& file, QSize size) {
   QSvgGenerator svg;
   svg.setFileName(file);
   svg.setSize(size);
   svg.setViewBox(QRect(QPoint(0, 0), size));
-  svg.setResolution(kResolution);
+  svg.setResolution(kFigureResolution);
   svg.setTitle(QStringLiteral("Capstan"));
   QCPPainter painter;
   if (!painter.begin(&svg)) return false;

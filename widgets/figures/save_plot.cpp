@@ -14,7 +14,8 @@ namespace capstan::widgets {
 
 namespace {
 
-constexpr int kResolution = static_cast<int>(PaperSize::kDotsPerInch);  ///< text has equal size everywhere
+constexpr int kPlotResolution =
+    static_cast<int>(PaperSize::kDotsPerInch);  ///< text has equal size everywhere
 constexpr double kImageDotsPerInch = 300.0;
 
 bool drawVectors(QCustomPlot& plot, QPaintDevice& device, QSize dots) {
@@ -29,7 +30,7 @@ bool drawVectors(QCustomPlot& plot, QPaintDevice& device, QSize dots) {
 
 bool savePdf(QCustomPlot& plot, const QString& file, PaperSize size, const QString& title) {
   QPdfWriter pdf(file);
-  pdf.setResolution(kResolution);
+  pdf.setResolution(kPlotResolution);
   pdf.setCreator(QStringLiteral("Capstan"));
   pdf.setTitle(title);
   pdf.setPageSize(
@@ -43,7 +44,7 @@ bool saveSvg(QCustomPlot& plot, const QString& file, PaperSize size, const QStri
   svg.setFileName(file);
   svg.setSize(size.dots());
   svg.setViewBox(QRect(QPoint(0, 0), size.dots()));
-  svg.setResolution(kResolution);
+  svg.setResolution(kPlotResolution);
   svg.setTitle(title);
   return drawVectors(plot, svg, size.dots());
 }

@@ -17,7 +17,7 @@ using diagnosis::Signature;
 using diagnosis::SignatureBin;
 using diagnosis::VariableKind;
 
-constexpr int kLeastPanelWidth = 270;  ///< [px] of panels side by side
+constexpr int kLeastSignatureWidth = 270;  ///< [px] of panels side by side
 constexpr int kMostColumns = 3;
 constexpr double kBarsBeyond = 0.25;    ///< limit to which the axis includes the bars, in ranges of the means
 constexpr int kNoiseShade = 60;         ///< opacity of 255
@@ -231,7 +231,7 @@ SignatureFigure::Curve SignatureFigure::addCurve(const Panel& panel, const Signa
 
 int SignatureFigure::columnsFor(QSize size) const {
   const int panels = static_cast<int>(data_.panels.size());
-  const int fitting = std::clamp(size.width() / kLeastPanelWidth, 1, kMostColumns);
+  const int fitting = std::clamp(size.width() / kLeastSignatureWidth, 1, kMostColumns);
   return panels == 4 && fitting >= 2 ? 2 : std::min(panels, fitting);
 }
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/base/error.h"
+#include "core/base/nan.h"
 #include "core/diagnosis/evidence/channel_noise.h"
 #include "core/diagnosis/evidence/even_grid.h"
 #include "core/diagnosis/evidence/recorded_tracks.h"
@@ -14,7 +14,6 @@
 namespace capstan::diagnosis {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kFewestPieceRows = 5;
 constexpr double kLongestGap = 0.05;  // longest gap that the input is interpolated over [s]: longer ones end
                                       // a segment, if they are also longer than 3.5 periods
@@ -92,7 +91,7 @@ Placed placeReference(const EvenGrid& grid, const RecordedTracks& tracks) {
     const ChannelNoise noise = channelNoise(track.x);
     const std::vector<std::uint8_t> stands = standsAtEnd(rows, grid.segments, noise.floor());
     for (std::size_t i = 0; i < rows.size(); ++i)
-      if (stands[i]) rows[i] = kNaN;
+      if (stands[i]) rows[i] = base::kNaN;
     placed.columns.push_back(std::move(rows));
     placed.noise.push_back(noise);
   }
@@ -103,7 +102,7 @@ Placed placeReference(const EvenGrid& grid, const RecordedTracks& tracks) {
 void differentiate(Evidence& evidence) {
   const auto half =
       std::max<std::size_t>(3, static_cast<std::size_t>(std::lround(kSmoothing / evidence.step)));
-  evidence.dq_m.resize(evidence.q_m.size(), std::vector<double>(evidence.rows(), kNaN));
+  evidence.dq_m.resize(evidence.q_m.size(), std::vector<double>(evidence.rows(), base::kNaN));
   for (std::size_t j = 0; j < evidence.q_m.size(); ++j)
     for (const Segment& segment : evidence.segments) {
       const auto given = std::span(evidence.dq_m[j]).subspan(segment.begin, segment.size());

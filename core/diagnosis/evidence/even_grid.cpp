@@ -4,12 +4,12 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/nan.h"
 #include "core/stats/quantile.h"
 
 namespace capstan::diagnosis {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kSameTime = 1e-3;    // of a step: largest difference of times that count as equal
 constexpr double kRowMissing = 1.75;  // periods between two rows from which on a row is missing between them
 
@@ -83,7 +83,7 @@ EvenGrid evenGrid(std::span<const double> t, double longest_gap) {
 
 std::vector<double> interpolateTo(const EvenGrid& grid, const Track& track, double reach,
                                   std::vector<std::uint8_t>* interpolated) {
-  std::vector<double> result(grid.t.size(), kNaN);
+  std::vector<double> result(grid.t.size(), base::kNaN);
   if (interpolated) interpolated->resize(grid.t.size(), 0);
   std::size_t after = 0;
   for (std::size_t row = 0; row < grid.t.size(); ++row) {
@@ -105,7 +105,7 @@ std::vector<double> interpolateTo(const EvenGrid& grid, const Track& track, doub
 }
 
 std::vector<double> placeOn(const EvenGrid& grid, const Track& track) {
-  std::vector<double> result(grid.t.size(), kNaN);
+  std::vector<double> result(grid.t.size(), base::kNaN);
   std::vector<double> nearest(grid.t.size(), std::numeric_limits<double>::infinity());
   for (std::size_t i = 0; i < track.size(); ++i) {
     const double place = rowOf(grid, track.t[i]);

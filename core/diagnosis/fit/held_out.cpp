@@ -16,10 +16,10 @@ using Eigen::VectorXd;
 
 /// How each step is tried. A ridge, added to the normal equations, holds what the data hardly determine,
 /// where laws with corners are the least linear.
-struct Attempt {
+struct FoldAttempt {
   double length, ridge;
 };
-constexpr Attempt kAttempts[] = {{1.0, 0.0}, {0.3, 0.0}, {1.0, 3.0}, {1.0, 100.0}};
+constexpr FoldAttempt kFoldAttempts[] = {{1.0, 0.0}, {0.3, 0.0}, {1.0, 3.0}, {1.0, 100.0}};
 constexpr double kOwnWeight = 0.1;    // weight of a fold in its own fit
 constexpr double kShorter = 0.1;      // factor of lengths and of 1 / ridge after a step that was too long
 constexpr double kLeastReach = 5e-3;  // three steps that were too long
@@ -56,7 +56,7 @@ class FoldFits {
     for (Fold& fold : folds_) {
       if (fold.stands) continue;
       const VectorXd descent = descentOf(fold);
-      for (const Attempt& attempt : kAttempts) {
+      for (const FoldAttempt& attempt : kFoldAttempts) {
         const double length = attempt.ridge > 0.0 ? attempt.length : fold.reach * attempt.length;
         const VectorXd step = stepOf(fold, descent, attempt.ridge / fold.reach);
         VectorXd u = fold.u;
@@ -71,7 +71,7 @@ class FoldFits {
 
   /// Takes the better ones of the trials, whose residuals are the columns of `e`.
   void take(const std::vector<VectorXd>& trials, const MatrixXd& e) {
-    constexpr std::size_t kOfAFold = std::size(kAttempts);
+    constexpr std::size_t kOfAFold = std::size(kFoldAttempts);
     for (std::size_t k = 0; k < trials.size(); k += kOfAFold) {
       Fold& fold = *tried_[k];
       const double before = fold.objective;

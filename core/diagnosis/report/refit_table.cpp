@@ -12,14 +12,6 @@ namespace capstan::diagnosis {
 
 using base::Table;
 
-namespace {
-
-base::TableColumn text(std::string name) {
-  return {std::move(name), {}, 0, base::NumberStyle::kFixed, false};
-}
-
-}  // namespace
-
 std::vector<RefitNumber> refitInOrder(const Report& report) {
   std::vector<RefitNumber> numbers = report.refit;
   std::ranges::stable_sort(numbers, std::greater<>(),
@@ -54,9 +46,9 @@ Table refitTable(const Report& report) {
   const bool effects = hasEffects(report);
   Table table;
   table.title = "Parameters of the nominal model after the refit";
-  table.columns = {text("number"),          text("nominal"),
-                   text("without effects"), text(effects ? "with effects" : "refitted"),
-                   text("change"),          text("remark")};
+  table.columns = {textColumn("number"),          textColumn("nominal"),
+                   textColumn("without effects"), textColumn(effects ? "with effects" : "refitted"),
+                   textColumn("change"),          textColumn("remark")};
   for (const RefitNumber& one : refitInOrder(report))
     table.rows.push_back({shownName(one.name), shownNumber(one.nominal, 0.0, one.unit),
                           shownNumber(one.value_without, 0.0, one.unit),

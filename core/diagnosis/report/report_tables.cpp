@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <utility>
 #include <vector>
 
+#include "core/base/nan.h"
 #include "core/diagnosis/hypotheses/pose_hypotheses.h"
 #include "core/diagnosis/report/shown.h"
 
@@ -18,10 +18,6 @@ namespace {
 using base::NumberStyle;
 using base::Table;
 using base::TableCell;
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
-base::TableColumn text(std::string name) { return {std::move(name), {}, 0, NumberStyle::kFixed, false}; }
 
 base::TableColumn number(std::string name, std::string unit, int digits, NumberStyle style) {
   return {std::move(name), std::move(unit), digits, style, false};
@@ -34,7 +30,9 @@ std::string percentages(double value, const stats::Interval& interval) {
   return fmt::format("{:.1f} ({:.1f} … {:.1f})", 100.0 * value, 100.0 * interval.low, 100.0 * interval.high);
 }
 
-double ratioOf(const Gain& gain) { return gain.rms_before > 0.0 ? gain.rms_after / gain.rms_before : kNaN; }
+double ratioOf(const Gain& gain) {
+  return gain.rms_before > 0.0 ? gain.rms_after / gain.rms_before : base::kNaN;
+}
 
 std::string nameOf(const Channel& channel) {
   return channel.name + " [" + shownUnit(channel.unit).unit + "]";
@@ -188,7 +186,7 @@ Table channelTable(const Report& report) {
   const bool extended = !report.causes.empty();
   Table table;
   table.title = "RMS of measured − simulated, model by model";
-  table.columns = {text("recording"), text("channel"),
+  table.columns = {textColumn("recording"), textColumn("channel"),
                    number("RMS nominal", "", 3, NumberStyle::kSignificant),
                    number("refitted", "", 3, NumberStyle::kSignificant)};
   table.columns.front().grouped = true;
@@ -198,7 +196,7 @@ Table channelTable(const Report& report) {
   table.columns.push_back(number("fit before", "%", 2, NumberStyle::kFixed));
   if (extended) {
     table.columns.push_back(number("fit after", "%", 2, NumberStyle::kFixed));
-    table.columns.push_back(text("RMS ratio, held out [%]"));
+    table.columns.push_back(textColumn("RMS ratio, held out [%]"));
   }
   for (const ChannelReport& channel : report.channels) {
     const double scale = shownUnit(channel.refitted.unit).scale;
@@ -206,7 +204,7 @@ Table channelTable(const Report& report) {
                                   scale * channel.nominal_statistics.rms,
                                   scale * channel.refitted_statistics.rms};
     if (extended) row.emplace_back(scale * channel.extended_statistics.rms);
-    row.emplace_back(channel.refitted.noise > 0.0 ? scale * channel.refitted.noise : kNaN);
+    row.emplace_back(channel.refitted.noise > 0.0 ? scale * channel.refitted.noise : base::kNaN);
     row.emplace_back(channel.refitted_statistics.fit);
     if (extended) {
       row.emplace_back(channel.extended_statistics.fit);
@@ -227,13 +225,13 @@ Table rankingTable(const Report& report, std::size_t most) {
   Table table;
   table.title = "Ranking of the candidate effects";
   table.columns = {number("round", "", 0, NumberStyle::kFixed),
-                   text("effect"),
-                   text("where"),
+                   textColumn("effect"),
+                   textColumn("where"),
                    number("predicted", "%", 1, NumberStyle::kFixed),
                    number("trial removes", "%", 1, NumberStyle::kFixed),
                    number("trial score", "nats", 1, NumberStyle::kFixed),
-                   text("final probability [%]"),
-                   text("in the model")};
+                   textColumn("final probability [%]"),
+                   textColumn("in the model")};
   table.columns.front().grouped = true;
   const std::vector<Candidate> all = rankedCandidates(report);
   std::size_t in_round = 0, excluded = 0;
@@ -248,8 +246,9 @@ Table rankingTable(const Report& report, std::size_t most) {
     probability.number = 100.0 * one.probability;
     table.rows.push_back({static_cast<double>(one.round), titleOf(one.effect),
                           shownJoint(one.effect, one.joint), 100.0 * one.screened,
-                          one.refitted ? 100.0 * one.reduction : kNaN, one.refitted ? one.score : kNaN,
-                          std::move(probability), isInModel(report, one) ? "yes" : "no"});
+                          one.refitted ? 100.0 * one.reduction : base::kNaN,
+                          one.refitted ? one.score : base::kNaN, std::move(probability),
+                          isInModel(report, one) ? "yes" : "no"});
   }
   table.note =
       "Predicted, and trial removes: share of the mean square of the round's residual, by the score test "
@@ -262,7 +261,7 @@ Table rankingTable(const Report& report, std::size_t most) {
 Table filterTable(const Report& report) {
   Table table;
   table.title = "Errors of the Kalman filter with each model";
-  table.columns = {text("joint"), number("RMS nominal", "", 3, NumberStyle::kSignificant),
+  table.columns = {textColumn("joint"), number("RMS nominal", "", 3, NumberStyle::kSignificant),
                    number("refitted", "", 3, NumberStyle::kSignificant),
                    number("extended", "", 3, NumberStyle::kSignificant)};
   for (const FilterGain& one : report.filter) {
@@ -277,13 +276,13 @@ Table filterTable(const Report& report) {
 Table explainableTable(const Report& report) {
   Table table;
   table.title = "RMS residual on held-out data, beside regressions on the recordings' own signals";
-  table.columns = {text("channel"),
+  table.columns = {textColumn("channel"),
                    number("refitted", "", 3, NumberStyle::kSignificant),
                    number("with effects", "", 3, NumberStyle::kSignificant),
                    number("least squares", "", 3, NumberStyle::kSignificant),
                    number("Gaussian process", "", 3, NumberStyle::kSignificant),
                    number("explained", "% of the explainable", 0, NumberStyle::kFixed),
-                   text("the better regression")};
+                   textColumn("the better regression")};
   for (const Explainable& one : report.explainable) {
     const ShownUnit unit = shownUnit(one.unit);
     table.rows.push_back({one.channel + " [" + unit.unit + "]", unit.scale * one.refitted,
@@ -300,7 +299,7 @@ Table explainableTable(const Report& report) {
 Table posteriorTable(const Report& report, std::size_t most) {
   Table table;
   table.title = "Posterior probability of the sets of effects";
-  table.columns = {text("effects"), number("probability", "%", 1, NumberStyle::kFixed)};
+  table.columns = {textColumn("effects"), number("probability", "%", 1, NumberStyle::kFixed)};
   double others = 1.0;
   for (std::size_t k = 0; k < std::min(most, report.posterior.size()); ++k) {
     std::vector<std::string> names;
@@ -321,8 +320,8 @@ Table posteriorTable(const Report& report, std::size_t most) {
 Table lineTable(const Report& report) {
   Table table;
   table.title = "Lines in the spectrum of the residual";
-  table.columns = {text("channel"), number("frequency", "Hz", 2, NumberStyle::kFixed), text("amplitude"),
-                   number("p", "", 2, NumberStyle::kSignificant)};
+  table.columns = {textColumn("channel"), number("frequency", "Hz", 2, NumberStyle::kFixed),
+                   textColumn("amplitude"), number("p", "", 2, NumberStyle::kSignificant)};
   for (const SpectralLine& line : report.lines) {
     std::string unit;
     for (const ChannelReport& channel : report.channels)
@@ -339,7 +338,8 @@ Table lineTable(const Report& report) {
 Table processTable(const ResidualProcess& process) {
   Table table;
   table.title = "What the residual of " + process.channel + " depends on";
-  table.columns = {text("variable"), text("share of the residual's variance [%]"), text("changes over")};
+  table.columns = {textColumn("variable"), textColumn("share of the residual's variance [%]"),
+                   textColumn("changes over")};
   std::size_t excluded = 0;
   for (const ProcessVariable& one : process.variables) {
     if (!table.rows.empty() && one.relevance < kWeakly) {

@@ -92,4 +92,8 @@ std::string shareWords(const Signature& signature) {
   return shareWords(signature.share > 2.0 * signature.share_sigma ? signature.share : 0.0);
 }
 
+base::TableColumn textColumn(std::string name) {
+  return {std::move(name), {}, 0, base::NumberStyle::kFixed, false};
+}
+
 }  // namespace capstan::diagnosis

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "core/base/shown_number.h"
+#include "core/base/table.h"
 #include "core/diagnosis/report/report.h"
 
 namespace capstan::diagnosis {
@@ -30,5 +31,8 @@ std::string shownJoint(std::string_view effect, int joint);
 std::string shareWords(double share);
 /// The same for a signature; a share below two of its standard deviations counts as zero.
 std::string shareWords(const Signature& signature);
+
+/// Column of a table whose cells are words.
+base::TableColumn textColumn(std::string name);
 
 }  // namespace capstan::diagnosis

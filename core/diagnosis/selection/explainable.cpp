@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 
+#include "core/base/nan.h"
 #include "core/base/parallel.h"
 #include "core/base/progress_share.h"
 #include "core/diagnosis/residuals/process_parts.h"
@@ -14,8 +14,6 @@
 
 namespace capstan::diagnosis {
 namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 /// Channels of all recordings that read the same thing.
 struct Group {
@@ -102,8 +100,8 @@ Pooled pooledOf(const FitData& data, const Selection& s, const robot::Descriptio
 Explainable explainableOf(const FitData& data, const Selection& s, const robot::Description& nominal,
                           const Group& group, const base::Progress* progress,
                           const std::function<void()>& part) {
-  const MeasuredRegression linear =
-      group.channel.joint > 0 ? measuredRegression(data, group.channel.joint) : MeasuredRegression{kNaN, {}};
+  const MeasuredRegression linear = group.channel.joint > 0 ? measuredRegression(data, group.channel.joint)
+                                                            : MeasuredRegression{base::kNaN, {}};
   const Pooled pooled = pooledOf(data, s, nominal, group);
   Channel channel = pooled.channel;
   channel.noise = std::hypot(group.channel.noise, s.input_noise[group.members.front()]);
@@ -123,15 +121,9 @@ double beyondNoise(const Group& group, const Selection& s) {
 Explainable explainableFrom(const Channel& channel, double refitted, double named,
                             const MeasuredRegression& linear, double process_mean_square,
                             const ResidualProcess& process) {
-  Explainable one{channel.name,
-                  channel.unit,
-                  channel.noise,
-                  std::sqrt(refitted),
-                  std::sqrt(named),
-                  std::sqrt(linear.mean_square),
-                  kNaN,
-                  kNaN,
-                  {}};
+  Explainable one{channel.name,        channel.unit,     channel.noise,
+                  std::sqrt(refitted), std::sqrt(named), std::sqrt(linear.mean_square),
+                  base::kNaN,          base::kNaN,       {}};
   double least = refitted;
   if (linear.mean_square < least) {
     least = linear.mean_square;

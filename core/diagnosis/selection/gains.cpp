@@ -10,7 +10,7 @@
 namespace capstan::diagnosis {
 namespace {
 
-constexpr int kDraws = 1000;
+constexpr int kIntervalDraws = 1000;
 
 stats::Interval middle95(std::vector<double>& draws) {
   std::sort(draws.begin(), draws.end());
@@ -44,7 +44,7 @@ Gain gainOf(const ComparedChannel& channel, const BlockSquares& before, const Bl
   gain.rms_after = rms(all, 1);
   base::Random random(1, "gain");
   std::vector<double> befores, afters, ratios;
-  for (int d = 0; d < kDraws; ++d) {
+  for (int d = 0; d < kIntervalDraws; ++d) {
     std::array<double, 3> total{};
     for (std::size_t n = 0; n < blocks.size(); ++n) {
       const auto& block = blocks[random.bits() % blocks.size()];

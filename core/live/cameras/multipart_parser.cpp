@@ -14,7 +14,7 @@ namespace {
 constexpr std::string_view kBlank = " \t\r\n";
 const char* const kCheck = "Check that the address is that of the camera's Motion JPEG stream";
 
-[[noreturn]] void refuse(std::string key, std::string value, std::string reason) {
+[[noreturn]] void refusePart(std::string key, std::string value, std::string reason) {
   throw base::InputError({"", 0, std::move(key), std::move(value), std::move(reason), kCheck});
 }
 
@@ -78,7 +78,8 @@ bool MultipartParser::step(TimePoint arrival, const Each& each) {
 bool MultipartParser::takeLine(std::size_t most, std::string& line) {
   const std::size_t end = buffer_.find('\n');
   skipped_ += std::min(end, buffer_.size());
-  if (skipped_ > most) refuse("", "", fmt::format("more than {} bytes without an image or its header", most));
+  if (skipped_ > most)
+    refusePart("", "", fmt::format("more than {} bytes without an image or its header", most));
   if (end == std::string::npos) {
     skipped_ -= buffer_.size();
     return false;
@@ -125,12 +126,12 @@ void MultipartParser::readField(std::string_view line) {
   const std::string_view value = trim(line.substr(colon + 1));
   if (name == "x-timestamp") stamp_ = parseTimestamp(value);
   if (name == "content-length" && (!parseDigits(value, length_) || length_ > kMostImage))
-    refuse("Content-Length", std::string(value),
-           fmt::format("not a number of bytes of an image up to {}", kMostImage));
+    refusePart("Content-Length", std::string(value),
+               fmt::format("not a number of bytes of an image up to {}", kMostImage));
   if (name != "content-type") return;
   const std::string type = lowerCase(trim(value.substr(0, value.find(';'))));
   if (type != "image/jpeg" && type != "image/jpg" && type != "image/pjpeg")
-    refuse("Content-Type", std::string(value), "not the type of a JPEG image, image/jpeg");
+    refusePart("Content-Type", std::string(value), "not the type of a JPEG image, image/jpeg");
 }
 
 bool MultipartParser::readBody(TimePoint arrival, const Each& each) {
@@ -144,7 +145,7 @@ bool MultipartParser::readBody(TimePoint arrival, const Each& each) {
     end = buffer_.find("\n" + boundary_, searched_);
     if (end == std::string::npos) {
       if (buffer_.size() > kMostImage)
-        refuse("", "", fmt::format("an image without Content-Length of more than {} bytes", kMostImage));
+        refusePart("", "", fmt::format("an image without Content-Length of more than {} bytes", kMostImage));
       searched_ = buffer_.size() - std::min(buffer_.size(), boundary_.size());
       return false;
     }

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <chrono>
-#include <numbers>
 
 #include "core/base/parallel.h"
+#include "core/base/units.h"
 #include "core/learning/evaluation/correction_study.h"
 #include "core/learning/evaluation/held_out.h"
 #include "core/math/dense.h"
@@ -17,7 +17,6 @@ namespace {
 using Eigen::Index;
 using learning::State;
 
-constexpr double kMillimetres = 1e3, kDegrees = 180.0 / std::numbers::pi;
 constexpr Index kPlainStates = 1500, kPlainFitted = 1000;
 
 /// States, hyperparameters and test states of one split for scikit-learn.
@@ -82,9 +81,9 @@ void tellBeside(const learning::CorrectionStudyReport& report, const nlohmann::j
   for (const auto& [name, ours] : {std::pair{"dirty", &ours_dirty}, std::pair{"clean", &ours_clean}}) {
     const Means theirs = sklearnMeans(plain, name);
     fmt::print("  {:6} ours {:.2f} mm {:.2f} deg; scikit-learn {:.2f} mm {:.2f} deg: {:+.1f} %, {:+.1f} %\n",
-               name, kMillimetres * ours->distance, kDegrees * ours->angle, kMillimetres * theirs.distance,
-               kDegrees * theirs.angle, 100.0 * (ours->distance / theirs.distance - 1.0),
-               100.0 * (ours->angle / theirs.angle - 1.0));
+               name, base::toMillimetres(ours->distance), base::toDegrees(ours->angle),
+               base::toMillimetres(theirs.distance), base::toDegrees(theirs.angle),
+               100.0 * (ours->distance / theirs.distance - 1.0), 100.0 * (ours->angle / theirs.angle - 1.0));
   }
 }
 

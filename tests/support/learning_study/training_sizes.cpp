@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <numbers>
 
+#include "core/base/units.h"
 #include "core/learning/evaluation/correction_errors.h"
 #include "core/learning/evaluation/held_out.h"
 #include "tests/support/exact_process.h"
@@ -16,7 +16,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using learning::State;
 
-constexpr double kMillimetres = 1e3, kDegrees = 180.0 / std::numbers::pi;
 constexpr Index kPaperFew = 460;
 constexpr double kPaperSecondsFew = 18.6, kPaperSecondsAll = 4228.8;
 
@@ -27,8 +26,8 @@ double secondsSince(std::chrono::steady_clock::time_point begin) {
 /// Means of ‖Δt‖ and of the rotation's error [mm, deg], from outputs in scales.
 std::pair<double, double> meansOf(const MatrixXd& off, const Eigen::RowVectorXd& scale) {
   const MatrixXd apart = off * scale.asDiagonal();
-  return {kMillimetres * apart.leftCols(3).rowwise().norm().mean(),
-          kDegrees * apart.rightCols(3).rowwise().norm().mean()};
+  return {base::toMillimetres(apart.leftCols(3).rowwise().norm().mean()),
+          base::toDegrees(apart.rightCols(3).rowwise().norm().mean())};
 }
 
 /// The exact process of all outputs, of the first members' hyperparameters, beside the model's: held out.
@@ -81,7 +80,7 @@ void tellSizes(const std::vector<State>& train, const std::vector<State>& test,
     for (std::size_t k = 0; k < test.size(); ++k) error.add(corrected[k], test[k].pair.commanded);
     const learning::CorrectionErrors sum = error.summed();
     fmt::print("  {:6} states {:8.2f} s {:8.3f} mm {:8.3f} deg\n", count, seconds,
-               kMillimetres * sum.distance, kDegrees * sum.angle);
+               base::toMillimetres(sum.distance), base::toDegrees(sum.angle));
     std::fflush(stdout);
     if (share == 1.0) tellExact(train, test, model);
   }

@@ -3,12 +3,11 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "tests/support/planted/turn.h"
 
 namespace capstan::test {
 namespace {
-
-constexpr double kTurn = 2.0 * std::numbers::pi;
 
 double eitherSign(base::Random& random) { return random.bits() & 1U ? 1.0 : -1.0; }
 

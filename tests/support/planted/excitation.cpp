@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "tests/support/planted/log_uniform.h"
+#include "tests/support/planted/turn.h"
 
 namespace capstan::test {
 namespace {
-
-constexpr double kTurn = 2.0 * std::numbers::pi;
 
 /// Time of a smoothStep() over `distance` at a peak speed of at most `fastest`, and with no more acceleration
 /// than is used to reach `speed` [s].

@@ -11,6 +11,7 @@
 #include "core/diagnosis/report/shown.h"
 #include "widgets/figures/share_bar.h"
 #include "widgets/panels/diagnosis/diagnosis_text.h"
+#include "widgets/panels/diagnosis/table_font.h"
 #include "widgets/panels/diagnosis/wrapped_words.h"
 
 namespace capstan::widgets {
@@ -21,7 +22,6 @@ using diagnosis::Cause;
 
 enum Column { kWords, kProbability, kColumns };
 constexpr int kCauseRole = Qt::UserRole + 1;
-constexpr double kPoints = 10.0;
 
 QString shown(const std::string& words) { return QString::fromStdString(words); }
 
@@ -151,7 +151,7 @@ void CauseTree::setUnfolded(bool unfolded) {
 QTreeWidgetItem* CauseTree::addLine(QTreeWidgetItem* parent, const QString& words) {
   auto* item = new QTreeWidgetItem;
   setWords(*item, kWords, words);
-  item->setFont(kWords, textFont(kPoints - 0.5));
+  item->setFont(kWords, textFont(kTableFont - 0.5));
   item->setForeground(kWords, theme_.muted);
   item->setFlags(Qt::ItemIsEnabled);
   item->setToolTip(kWords, words);
@@ -166,9 +166,9 @@ QTreeWidgetItem* CauseTree::addTitle(QTreeWidgetItem* parent, const Cause& cause
   QString place = placeOf(cause.effect, cause.joint, {});
   setWords(*item, kWords, title + place.replace(QLatin1Char(' '), QChar(QChar::Nbsp)));  // in one line
   item->setToolTip(kWords, title + placeOf(cause.effect, cause.joint, robot_));
-  item->setFont(kWords, textFont(kPoints, true));
+  item->setFont(kWords, textFont(kTableFont, true));
   item->setText(kProbability, percentText(cause.probability));
-  item->setFont(kProbability, numberFont(kPoints));
+  item->setFont(kProbability, numberFont(kTableFont));
   item->setTextAlignment(kProbability, Qt::AlignRight | Qt::AlignVCenter);
   item->setToolTip(kProbability, probabilityTip(cause));
   ShareBar::set(*item, kProbability, cause.probability, theme_.accent);
@@ -182,7 +182,7 @@ void CauseTree::addCause(QTreeWidgetItem* parent, std::size_t index) {
   item->setData(0, kCauseRole, static_cast<int>(index));
   for (const diagnosis::FoundParameter& parameter : cause.parameters) {
     QTreeWidgetItem* line = addLine(item, shown(diagnosis::shownParameter(cause.effect, parameter)));
-    line->setFont(kWords, numberFont(kPoints - 0.5));
+    line->setFont(kWords, numberFont(kTableFont - 0.5));
     line->setForeground(kWords, theme_.text);
   }
   if (!cause.moves.joints.empty()) addLine(item, shown(diagnosis::movesText(cause)));

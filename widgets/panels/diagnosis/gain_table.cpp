@@ -8,12 +8,11 @@
 #include "widgets/figures/figure_text.h"
 #include "widgets/panels/diagnosis/diagnosis_text.h"
 #include "widgets/panels/diagnosis/interval_cell.h"
+#include "widgets/panels/diagnosis/table_font.h"
 
 namespace capstan::widgets {
 
 namespace {
-
-constexpr double kPoints = 10.0;
 
 /// "q2 (elbow) [deg]": the unit beside the name leaves the columns to the numbers.
 QString withUnit(const QString& name, const std::string& si) {
@@ -112,7 +111,7 @@ QTreeWidgetItem* GainTable::addGroup(const QString& words, const QString& tip) {
   auto* group = new QTreeWidgetItem({words});
   group->setFlags(Qt::ItemIsEnabled);
   group->setForeground(kName, theme_.muted);
-  group->setFont(kName, textFont(kPoints - 0.5));
+  group->setFont(kName, textFont(kTableFont - 0.5));
   group->setToolTip(kName, tip);
   addTopLevelItem(group);
   group->setFirstColumnSpanned(true);
@@ -122,7 +121,7 @@ QTreeWidgetItem* GainTable::addGroup(const QString& words, const QString& tip) {
 QTreeWidgetItem* GainTable::addRow(QTreeWidgetItem* group, const QStringList& cells) {
   auto* item = new QTreeWidgetItem(cells);
   for (int column = 0; column < kColumns; ++column) {
-    item->setFont(column, column == kName ? textFont(kPoints) : numberFont(kPoints));
+    item->setFont(column, column == kName ? textFont(kTableFont) : numberFont(kTableFont));
     if (column != kName && column != kDrawn)
       item->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
   }

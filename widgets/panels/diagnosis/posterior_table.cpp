@@ -5,13 +5,13 @@
 #include "core/diagnosis/report/report_tables.h"
 #include "widgets/figures/share_bar.h"
 #include "widgets/panels/diagnosis/diagnosis_text.h"
+#include "widgets/panels/diagnosis/table_font.h"
 #include "widgets/panels/diagnosis/wrapped_words.h"
 
 namespace capstan::widgets {
 
 namespace {
 
-constexpr double kPoints = 10.0;
 constexpr std::size_t kMost = 24;  ///< sets shown
 constexpr int kBarShare = 40;      ///< of the width [%]
 
@@ -64,8 +64,8 @@ void PosteriorTable::fill() {
     auto* item = new QTreeWidgetItem;
     setWords(*item, kEffects, QString::fromStdString(row[kEffects].text));
     item->setText(kProbability, percentText(share, 1));
-    item->setFont(kEffects, textFont(kPoints));
-    item->setFont(kProbability, numberFont(kPoints));
+    item->setFont(kEffects, textFont(kTableFont));
+    item->setFont(kProbability, numberFont(kTableFont));
     item->setTextAlignment(kProbability, Qt::AlignRight | Qt::AlignVCenter);
     ShareBar::set(*item, kProbability, share, theme_.accent);
     addTopLevelItem(item);
@@ -77,7 +77,7 @@ void PosteriorTable::fill() {
 void PosteriorTable::addNote(const QString& words) {
   auto* item = new QTreeWidgetItem;
   setWords(*item, kEffects, words);
-  item->setFont(kEffects, textFont(kPoints - 0.5));
+  item->setFont(kEffects, textFont(kTableFont - 0.5));
   item->setForeground(kEffects, theme_.muted);
   item->setFlags(Qt::ItemIsEnabled);
   addTopLevelItem(item);

@@ -9,6 +9,7 @@
 #include "widgets/figures/number_text.h"
 #include "widgets/figures/share_bar.h"
 #include "widgets/panels/diagnosis/diagnosis_text.h"
+#include "widgets/panels/diagnosis/table_font.h"
 #include "widgets/panels/diagnosis/wrapped_words.h"
 
 namespace capstan::widgets {
@@ -18,7 +19,6 @@ namespace {
 using diagnosis::Candidate;
 
 constexpr int kCandidateRole = Qt::UserRole + 1;
-constexpr double kPoints = 10.0;
 
 QString scoreText(double score) {
   return std::isfinite(score) ? withMinus(QString::number(score, 'f', std::abs(score) < 10.0 ? 1 : 0))
@@ -94,7 +94,7 @@ void RankingTable::fill() {
       round = new QTreeWidgetItem({tr("expansion %1 of the search").arg(candidates_[i].round)});
       round->setFlags(Qt::ItemIsEnabled);
       round->setForeground(kName, theme_.muted);
-      round->setFont(kName, textFont(kPoints - 0.5));
+      round->setFont(kName, textFont(kTableFont - 0.5));
       addTopLevelItem(round);
       round->setFirstColumnSpanned(true);
     }
@@ -109,7 +109,7 @@ void RankingTable::addNote(const QString& words) {
   setWords(*note, kName, words);
   note->setFlags(Qt::ItemIsEnabled);
   note->setForeground(kName, theme_.muted);
-  note->setFont(kName, textFont(kPoints - 0.5));
+  note->setFont(kName, textFont(kTableFont - 0.5));
   addTopLevelItem(note);
   note->setFirstColumnSpanned(true);
 }
@@ -137,8 +137,8 @@ void RankingTable::addCandidate(QTreeWidgetItem* round, std::size_t index) {
   const std::string percent = diagnosis::candidatePercent(candidate);
   item->setText(kProbability, QString::fromStdString(percent) +
                                   (candidate.probability > 0.0 ? QStringLiteral(" %") : QString()));
-  item->setFont(kName, textFont(kPoints, in_model));
-  for (const int column : {kTaken, kScore, kProbability}) item->setFont(column, numberFont(kPoints));
+  item->setFont(kName, textFont(kTableFont, in_model));
+  for (const int column : {kTaken, kScore, kProbability}) item->setFont(column, numberFont(kTableFont));
   for (const int column : {kTaken, kScore, kProbability})
     item->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
   if (!candidate.refitted && !in_model)

@@ -8,13 +8,12 @@
 #include "core/diagnosis/report/shown.h"
 #include "widgets/figures/number_text.h"
 #include "widgets/panels/diagnosis/diagnosis_text.h"
+#include "widgets/panels/diagnosis/table_font.h"
 #include "widgets/panels/diagnosis/wrapped_words.h"
 
 namespace capstan::widgets {
 
 namespace {
-
-constexpr double kPoints = 10.0;
 
 /// Number in the unit that stands beside the name.
 QString shown(double value, double sigma, const std::string& si) {
@@ -113,7 +112,7 @@ void RefitTable::addNumber(const diagnosis::RefitNumber& number) {
   const QColor colour = number.moved ? theme_.text : theme_.muted;
   for (int column = 0; column < kColumns; ++column) {
     const bool bold = number.material && column != kNominal && column != kWithout;
-    item->setFont(column, column == kName ? textFont(kPoints, bold) : numberFont(kPoints, bold));
+    item->setFont(column, column == kName ? textFont(kTableFont, bold) : numberFont(kTableFont, bold));
     item->setForeground(column, colour);
     if (column != kName) item->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
     item->setToolTip(column, tip);

@@ -22,7 +22,7 @@ using diagnosis::ChannelReport;
 using diagnosis::Signature;
 
 enum Column { kVariable, kBefore, kAfter, kColumns };
-constexpr double kPoints = 9.5;
+constexpr double kSignatureFont = 9.5;
 constexpr int kNarrow = 720, kList = 250, kLeastList = 236;  ///< widths [px]
 
 /// Finds the signature; null: none.
@@ -171,10 +171,10 @@ void SignatureView::fillVariables() {
           item->setText(kAfter, percentText(std::max(after->share, 0.0)));
           ShareBar::set(*item, kAfter, after->share, theme_->colour(Quantity::kUkf));
         }
-        item->setFont(kVariable, textFont(kPoints));
+        item->setFont(kVariable, textFont(kSignatureFont));
         item->setToolTip(kVariable, QString::fromStdString(signature.variable));
         for (const int column : {kBefore, kAfter}) {
-          item->setFont(column, numberFont(kPoints - 0.5));
+          item->setFont(column, numberFont(kSignatureFont - 0.5));
           item->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
         }
         variables_->addTopLevelItem(item);

@@ -8,16 +8,10 @@
 
 namespace capstan::widgets {
 
-namespace {
-
-QString text(const std::string& words) { return QString::fromStdString(words); }
-
-}  // namespace
-
 QString changesText(const std::vector<identification::RobotChange>& changes) {
   QStringList lines;
   for (const auto& change : changes)
-    lines << text(change.name().empty() ? change.key : change.name() + "  " + change.key)
+    lines << QString::fromStdString(change.name().empty() ? change.key : change.name() + "  " + change.key)
           << QStringLiteral("  %1 → %2  %3 %")
                  .arg(change.nominal, 0, 'g', 5)
                  .arg(change.identified, 0, 'g', 5)
@@ -34,7 +28,7 @@ QString errorsText(const identification::ModelError& error, const robot::Descrip
       return QString("%1 %2").arg(tracking::forPeople(value, joint), 0, 'f', 3).arg(joint < 2 ? "°" : "mm");
     };
     lines << QString("%1 %2 %3")
-                 .arg(text("q" + std::to_string(joint + 1) + " " + name).left(16), -16)
+                 .arg(QString::fromStdString("q" + std::to_string(joint + 1) + " " + name).left(16), -16)
                  .arg(number(error.before(joint)), 9)
                  .arg(number(error.after(joint)), 9);
   }

@@ -15,10 +15,9 @@ namespace capstan::widgets {
 
 namespace {
 
-enum Column { kName, kValue, kShare, kColumns };
-constexpr double kPoints = 10.0;
-constexpr int kBeside = 860;     ///< width from which on the figure stands beside the table [px]
-constexpr int kShareWidth = 72;  ///< [px]
+constexpr double kStagesFont = 10.0;
+constexpr int kStagesBeside = 860;  ///< width from which on the figure stands beside the table [px]
+constexpr int kShareWidth = 72;     ///< [px]
 
 QString shareText(double share) {
   const double percent = 100.0 * share;
@@ -77,13 +76,13 @@ void StagesView::fill() {
   for (const StageGroup& group : stageGroups(results_)) {
     auto* head = new QTreeWidgetItem(rows_, {group.title});
     head->setFlags(Qt::ItemIsEnabled);
-    head->setFont(kName, textFont(kPoints, true));
+    head->setFont(kName, textFont(kStagesFont, true));
     head->setFirstColumnSpanned(true);
     for (const StageRow& row : group.rows) {
       auto* item = new QTreeWidgetItem(head, {row.name, row.value});
-      item->setFont(kName, textFont(kPoints - 0.5));
-      item->setFont(kValue, numberFont(kPoints - 0.5));
-      item->setFont(kShare, numberFont(kPoints - 1.0));
+      item->setFont(kName, textFont(kStagesFont - 0.5));
+      item->setFont(kValue, numberFont(kStagesFont - 0.5));
+      item->setFont(kShare, numberFont(kStagesFont - 1.0));
       item->setTextAlignment(kValue, Qt::AlignRight | Qt::AlignVCenter);
       item->setTextAlignment(kShare, Qt::AlignRight | Qt::AlignVCenter);
       item->setToolTip(kName, row.tip.isEmpty() ? row.name.trimmed() : row.tip);
@@ -99,7 +98,7 @@ void StagesView::fill() {
 
 void StagesView::resizeEvent(QResizeEvent* event) {
   LearningView::resizeEvent(event);
-  const bool beside = width() >= kBeside;
+  const bool beside = width() >= kStagesBeside;
   const Qt::Orientation desired = beside ? Qt::Horizontal : Qt::Vertical;
   if (split_->orientation() != desired || event->oldSize().width() <= 0) {
     split_->setOrientation(desired);

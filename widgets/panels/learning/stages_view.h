@@ -26,6 +26,8 @@ class StagesView : public LearningView {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
+  enum Column { kName, kValue, kShare, kColumns };
+
   void fill();
 
   Theme theme_ = Theme::dark();

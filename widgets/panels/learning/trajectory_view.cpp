@@ -15,10 +15,9 @@ using learning::TrajectoryStates;
 
 namespace {
 
-enum Column { kName, kStates, kRejected, kHeld, kColumns };
 enum Role { kSortRole = Qt::UserRole + 1, kMotionRole };
-constexpr double kPoints = 9.5;
-constexpr int kBeside = 760, kList = 300;  ///< [px]
+constexpr double kTrajectoryFont = 9.5;
+constexpr int kTrajectoryBeside = 760, kList = 300;  ///< [px]
 
 /// List item that is sorted by the values of its cells, not by their texts.
 class TrajectoryItem : public QTreeWidgetItem {
@@ -114,7 +113,7 @@ void TrajectoryView::fill() {
                              held ? 1.0 : 0.0};
       for (int at = 0; at < kColumns; ++at) {
         item->setData(at, kSortRole, keys[at]);
-        item->setFont(at, at == kName ? textFont(kPoints) : numberFont(kPoints - 0.5));
+        item->setFont(at, at == kName ? textFont(kTrajectoryFont) : numberFont(kTrajectoryFont - 0.5));
         if (at == kStates || at == kRejected) item->setTextAlignment(at, Qt::AlignRight | Qt::AlignVCenter);
       }
       item->setData(kName, kMotionRole, static_cast<int>(k));
@@ -145,7 +144,7 @@ void TrajectoryView::showEvent(QShowEvent* event) {
 /// Gives the figure the remaining room: beside the list, or below it.
 void TrajectoryView::resizeEvent(QResizeEvent* event) {
   LearningView::resizeEvent(event);
-  const bool beside = width() >= kBeside;
+  const bool beside = width() >= kTrajectoryBeside;
   const Qt::Orientation desired = beside ? Qt::Horizontal : Qt::Vertical;
   if (split_->orientation() == desired && event->oldSize().width() > 0) return;
   split_->setOrientation(desired);

@@ -31,6 +31,8 @@ class TrajectoryView : public LearningView {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
+  enum Column { kName, kStates, kRejected, kHeld, kColumns };
+
   void fill();
   void draw();
   void step(int by);

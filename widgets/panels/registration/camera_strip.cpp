@@ -16,7 +16,7 @@ using registration::CheckState;
 namespace {
 
 constexpr int kSeePeriod = 100, kRefreshPeriod = 250;  ///< [ms]
-constexpr int kColumns = 2;
+constexpr int kStripColumns = 2;
 
 QString shown(const std::string& text) { return QString::fromStdString(text); }
 
@@ -76,9 +76,9 @@ CameraStrip::CameraStrip(QWidget* parent) : QWidget(parent) {
   for (std::size_t i = 0; i < kChecks; ++i) {
     labels_[i] = new QLabel;
     labels_[i]->setFont(textFont(9.5));
-    grid->addWidget(labels_[i], static_cast<int>(i) / kColumns, static_cast<int>(i) % kColumns);
+    grid->addWidget(labels_[i], static_cast<int>(i) / kStripColumns, static_cast<int>(i) % kStripColumns);
   }
-  grid->setColumnStretch(kColumns - 1, 1);
+  grid->setColumnStretch(kStripColumns - 1, 1);
   top->addLayout(grid, 1);
   for (std::size_t side = 0; side < 2; ++side)
     top->addWidget(brightness_[side] = new BrightnessView(side == 0 ? tr("left") : tr("right")));

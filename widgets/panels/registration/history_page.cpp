@@ -20,8 +20,6 @@ namespace {
 using registration::Decision;
 using registration::HistoryEntry;
 
-enum Column { kDate, kDecision, kMethod, kResidual, kPoints, kReason, kColumns };
-
 constexpr double kSamePose = 1e-12;  // of numbers that were written and read to the last bit
 
 QString shown(std::string_view text) { return QString::fromUtf8(text.data(), static_cast<int>(text.size())); }

@@ -46,6 +46,8 @@ class HistoryPage : public QWidget {
   void useRequested(const capstan::registration::HistoryEntry& entry);
 
  private:
+  enum Column { kDate, kDecision, kMethod, kResidual, kPoints, kReason, kColumns };
+
   void makeTable();
   QWidget* makeButtons();
   void fillRow(int row);

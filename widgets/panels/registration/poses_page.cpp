@@ -19,8 +19,6 @@
 namespace capstan::widgets {
 namespace {
 
-enum Column { kPose, kX, kY, kZ, kResidual, kShift, kVerdict, kColumns };
-
 QString millimetres(double metres, int digits = 2) {
   return QString::number(base::toMillimetres(metres), 'f', digits).replace('-', QStringLiteral("−"));
 }

@@ -50,6 +50,8 @@ class PosesPage : public QWidget {
   void decided(const capstan::registration::HistoryEntry& entry);
 
  private:
+  enum Column { kPose, kX, kY, kZ, kResidual, kShift, kVerdict, kColumns };
+
   void makeTable();
   QWidget* makeDecision();
   void setCollecting(bool on);
