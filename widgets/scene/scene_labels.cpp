@@ -49,7 +49,7 @@ void drawCameraLabels(QPainter& painter, const SceneCaptions& captions, const Or
   if (!at[0] || !at[1]) return;
   for (std::size_t side = 0; side < 2; ++side) {
     const QString name =
-        QString(side == 0 ? "L" : "R") + (captions.marker[side] == MarkerSight::kLost ? " lost" : "");
+        QString(side == 0 ? "L" : "R") + (captions.marker[side] == MarkerVisibility::kLost ? " lost" : "");
     const QSizeF extent(painter.fontMetrics().horizontalAdvance(name) + 8, painter.fontMetrics().height());
     const bool leftmost = at[side]->x() < at[1 - side]->x();  // labels stand outside the pair
     const QRectF box(*at[side] + QPointF(leftmost ? -extent.width() - 3 : 3, 5), extent);

@@ -7,7 +7,7 @@
 
 #include "core/tracking/snapshot.h"
 #include "widgets/figures/theme.h"
-#include "widgets/scene/marker_sight.h"
+#include "widgets/scene/marker_visibility.h"
 #include "widgets/scene/orbit_camera.h"
 #include "widgets/scene/tension_scale.h"
 #include "widgets/scene/workspace_grid.h"
@@ -18,7 +18,7 @@ namespace capstan::widgets {
 
 struct SceneCaptions {
   std::array<std::optional<Eigen::Vector3d>, 2> cameras;  ///< apex of left and right frustum [m]
-  std::array<MarkerSight, 2> marker{};
+  std::array<MarkerVisibility, 2> marker{};
   double ellipsoid_scale = 1.0;                         ///< scale factor of the drawn ellipsoid
   Eigen::Vector3d tip_sigma = Eigen::Vector3d::Zero();  ///< σ along the axes of frame 0 [m]
   Eigen::Vector3d tension = Eigen::Vector3d::Zero();    ///< cable forces [N]

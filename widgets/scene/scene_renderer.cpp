@@ -128,7 +128,7 @@ class SceneRenderer::Parts : public OffScreen {
     for (std::size_t side = 0; side < 2; ++side) {
       remove(rays[side]);
       if (frusta[side]) paint(*frusta[side], colourOf(pose.marker[side], theme));
-      if (!frusta[side] || pose.marker[side] != MarkerSight::kSeen || !pose.tip.allFinite()) continue;
+      if (!frusta[side] || pose.marker[side] != MarkerVisibility::kSeen || !pose.tip.allFinite()) continue;
       rays[side] = lineActorOf(lineData({{apex[side], pose.tip}}), 1.0);
       rays[side]->GetProperty()->SetOpacity(0.45);
       paint(*rays[side], theme.colour(Quantity::kCamera));

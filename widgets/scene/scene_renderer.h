@@ -11,7 +11,7 @@
 #include "core/vision/camera.h"
 #include "widgets/figures/theme.h"
 #include "widgets/scene/arm_shape.h"
-#include "widgets/scene/marker_sight.h"
+#include "widgets/scene/marker_visibility.h"
 #include "widgets/scene/orbit_camera.h"
 #include "widgets/scene/workspace_grid.h"
 
@@ -24,7 +24,7 @@ struct ScenePose {
   Eigen::Vector3d tip = Eigen::Vector3d::Zero();
   Eigen::Matrix3d ellipsoid = Eigen::Matrix3d::Zero();  ///< scaled covariance; zero: not drawn
   std::vector<Eigen::Vector3d> trail;                   ///< trail of the tip, oldest point first
-  std::array<MarkerSight, 2> marker{};                  ///< of left and right camera
+  std::array<MarkerVisibility, 2> marker{};             ///< of left and right camera
 };
 
 /// VTK part of the 3-D view: an off-screen render window whose image is read back. It needs an X display; VTK

@@ -180,7 +180,7 @@ void SceneView::draw() {
     const double scale = kEllipsoidSigmas * captions_.ellipsoid_scale;
     pose.ellipsoid = scale * scale * snapshot_->tip_ukf_covariance;
     captions_.tip_sigma = snapshot_->tip_ukf_covariance.diagonal().cwiseSqrt();
-    for (std::size_t side = 0; side < 2; ++side) captions_.marker[side] = sightOf(*snapshot_, side);
+    for (std::size_t side = 0; side < 2; ++side) captions_.marker[side] = visibilityOf(*snapshot_, side);
   }
   for (int i = 0; i < 4; ++i) pose.frames[static_cast<std::size_t>(i)] = arm_->frame(i, q);
   for (int i = 0; i < 3; ++i)
