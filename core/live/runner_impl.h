@@ -62,7 +62,6 @@ class Runner::Impl {
     post([this, mode] {
       if (mode_ == Mode::kDone) return;
       mode_ = mode == RunState::kRunning ? Mode::kRun : Mode::kPause;
-      begun_ = begun_ || mode_ == Mode::kRun;
       pacer_.restart();
       meter_.restart();
     });
@@ -72,7 +71,6 @@ class Runner::Impl {
     post([this] {
       if (mode_ == Mode::kDone) return;
       mode_ = Mode::kStep;
-      begun_ = true;
       step_end_ = t_ + kStepWithoutCameras;
     });
   }
@@ -274,6 +272,7 @@ class Runner::Impl {
 
   /// Processes one sample when it is due; otherwise waits until it is due or a command arrives.
   void advance() {
+    begun_ = true;
     applyBlocking();
     if (!fetched_ && !source_->ready(kPatience)) return publishStatus(false);
     if (!fetched_ && !source_->next(sample_)) return finish(RunState::kEnded);
@@ -371,12 +370,10 @@ class Runner::Impl {
 
   // The pipeline's thread.
   Mode mode_ = Mode::kPause;
-  bool begun_ = false;  ///< it has run before
-  double speed_ = 1.0;
+  double speed_ = 1.0, step_end_ = 0.0;
   double t_ = 0.0, motor_t_ = 0.0;
-  double step_end_ = 0.0;
   PlottedSteps plotted_{RunnerOptions::kHistoryRate};
-  bool quit_ = false, fetched_ = false, camera_seen_ = false;
+  bool quit_ = false, begun_ = false, fetched_ = false, camera_seen_ = false;
   tracking::Sample sample_;
   Blocking blocking_;
   RecordingSlot recording_{RunnerOptions::kEstimateRate};
