@@ -52,7 +52,7 @@ class DiagnosisRuns : public ::testing::Test {
 };
 
 TEST_F(DiagnosisRuns, TheReportOfARecordingIsThatOfTheCommandLine) {
-  testing::writeRecording(path("slow.csv"), {.duration = 5.0});
+  testing::writeRecording(path("slow.csv"), {.duration = 3.0});
   const QString file = folder_.filePath("slow.csv");
   const nlohmann::json report = window(file);
   EXPECT_EQ(report.at("channels").size(), 3U);
@@ -60,7 +60,7 @@ TEST_F(DiagnosisRuns, TheReportOfARecordingIsThatOfTheCommandLine) {
 }
 
 TEST_F(DiagnosisRuns, ToleranceUnitsAndEffortOfTheWindowAreThoseOfTheOptions) {
-  const diagnosis::Evidence evidence = testing::sampleEvidence({.duration = 5.0}, 0);
+  const diagnosis::Evidence evidence = testing::sampleEvidence({.duration = 3.0}, 0);
   recording::MeasuredTable table;
   table.t = evidence.t, table.q_m = evidence.q_m, table.tau_m = evidence.tau_m, table.q = evidence.q;
   for (auto& column : table.q_m)
@@ -85,7 +85,7 @@ TEST_F(DiagnosisRuns, OfATableOfTipPosesToo) {
 }
 
 TEST_F(DiagnosisRuns, FilesThatDoNotGoTogetherAreRefusedAsOnTheCommandLine) {
-  testing::writeRecording(path("slow.csv"), {.duration = 5.0});
+  testing::writeRecording(path("slow.csv"), {.duration = 3.0});
   base::writeTextFile(path("poses.csv"), diagnosis::testing::poseTable({}));
   DiagnosisPanel panel(runDiagnosis);
   panel.choose({.recordings = {folder_.filePath("slow.csv"), folder_.filePath("poses.csv")}});

@@ -1,9 +1,9 @@
 capstan_widget_test(
-  NAME shell_test
+  NAME shell_test CASES
   SOURCES shell_again_test.cpp shell_books_test.cpp shell_choice_test.cpp shell_compare_test.cpp shell_disk_test.cpp shell_drive_test.cpp live_dialog_test.cpp shell_monitor_test.cpp shell_motors_test.cpp shell_recover_test.cpp shell_replay_test.cpp shell_sessions_test.cpp shell_window_test.cpp
   LINKS capstan::shell nlohmann_json::nlohmann_json opencv_videoio PkgConfig::HTTPLIB)
 add_dependencies(shell_test capstan-cli)
-capstan_widget_test(NAME registration_window_test SOURCES camera_window_test.cpp filter_window_test.cpp registration_window_test.cpp LINKS capstan::shell)
+capstan_widget_test(NAME registration_window_test CASES SOURCES camera_window_test.cpp filter_window_test.cpp registration_window_test.cpp LINKS capstan::shell)
 add_dependencies(registration_window_test capstan-cli)
 
 # In a real window, at the size of a small screen and with every pixel doubled.

@@ -5,10 +5,10 @@
 namespace capstan::learning {
 
 /// Enough to learn a few hundred states in a second.
-inline CorrectionOptions quickOptions(Eigen::Index likelihood_points = 250) {
+inline CorrectionOptions quickOptions(Eigen::Index likelihood_points = 150) {
   CorrectionOptions options;
   options.likelihood_points = likelihood_points;
-  options.inducing_points = 250;
+  options.inducing_points = 150;
   return options;
 }
 
