@@ -303,6 +303,9 @@ void addTrack(CLI::App& app, ExitCode& exit) {
   command->add_flag("--simulate", arguments->simulate,
                     "track a simulated session, without a file in between");
   addSimulationOptions(*command, arguments->simulation);
+  command->get_option("--duration")
+      ->description(
+          "duration of the movement [s]; with --live: end after this time; default there: until Ctrl-C");
   command->footer(
       "Examples:\n"
       "  capstan-cli track trial.capstan --out estimates.csv\n"

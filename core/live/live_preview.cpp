@@ -40,6 +40,10 @@ void LivePreview::work() {
     auto motors = std::make_unique<LiveSource>(without);
     const std::lock_guard lock(mutex_);
     motors_ = std::move(motors);
+    const robot::Description& robot = motors_->info().robot;
+    transmission_.emplace(robot);
+    for (std::size_t k = 0; k < 3; ++k)
+      state_.prismatic[k] = robot.joints[k].type == robot::JointType::kPrismatic;
   });
   if (setup_.cameras)
     notingFaults([&] {
@@ -73,6 +77,7 @@ void LivePreview::take(const tracking::Sample& sample) {
   if (const auto* motors = std::get_if<tracking::MotorSample>(&sample)) {
     const std::lock_guard lock(mutex_);
     state_.motors = motors->position;
+    state_.joints = transmission_->jointFromMotor(motors->position);
     if (!ranges_) ranges_ = Ranges{now, motors->position.array(), motors->position.array()};
     ranges_->add(motors->position, now);
   } else if (const auto* frame = std::get_if<tracking::StereoFrame>(&sample)) {

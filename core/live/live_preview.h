@@ -22,6 +22,8 @@ struct LivePreviewState {
   std::vector<std::string> faults;  ///< why a side cannot be connected to; empty: both are, or not yet
   std::vector<tracking::SideStatus> sides;  ///< empty: not connected yet
   std::optional<Eigen::Vector3d> motors;    ///< newest positions in the order of the joints [rad]
+  Eigen::Vector3d joints{0.0, 0.0, 0.0};    ///< transmission kinematics of `motors` [rad or m]
+  std::array<bool, 3> prismatic{};          ///< joints that are linear
   std::array<bool, 3> moving{};             ///< motors that have moved within the last second
   cv::Mat left, right;                      ///< newest images, 8-bit BGR; empty: none
 };
@@ -62,6 +64,7 @@ class LivePreview {
   mutable std::mutex mutex_;  ///< protects the members below
   std::unique_ptr<LiveSource> motors_;
   std::unique_ptr<CameraSide> cameras_;
+  std::optional<robot::Transmission> transmission_;  ///< of the robot of motors_
   LivePreviewState state_;
   std::optional<Ranges> ranges_;
 

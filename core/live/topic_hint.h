@@ -9,13 +9,6 @@
 
 namespace capstan::live {
 
-/// Why no message of a ROS topic comes, by what the master knows: `present` are the topics that somebody
-/// publishes, nothing if no master answers at `master`; `fits`: the types that are wanted, `what`: what they
-/// carry. Names the topic of such a type whose name is nearest. Empty: somebody publishes it.
-std::string hintForTopic(const std::string& topic, bool (*fits)(const std::string& type),
-                         const std::string& what, const std::optional<std::vector<ros1::TopicType>>& present,
-                         const std::string& master);
-
 /// Asks the master for the hint while nothing comes: kFirst after the begin, then every kPeriod.
 class TopicHint {
  public:

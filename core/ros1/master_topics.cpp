@@ -1,9 +1,12 @@
 #include "core/ros1/master_topics.h"
 
+#include <fmt/format.h>
 #include <httplib.h>
 
 #include <algorithm>
 #include <cstdlib>
+
+#include "core/base/edit_distance.h"
 
 namespace capstan::ros1 {
 namespace {
@@ -61,6 +64,24 @@ std::optional<std::vector<TopicType>> topicsAtMaster(const std::string& uri,
   const auto answer = master.Post("/RPC2", kRequest, "text/xml");
   if (!answer || answer->status != 200) return {};
   return topicsOfAnswer(answer->body);
+}
+
+std::string hintForTopic(const std::string& topic, bool (*fits)(const std::string& type),
+                         const std::string& what, const std::optional<std::vector<TopicType>>& present,
+                         const std::string& master) {
+  if (!present) return fmt::format("no ROS master answers at {}", master);
+  const auto published = std::ranges::find(*present, topic, &TopicType::topic);
+  if (published != present->end() && fits(published->type)) return {};
+  const std::string reason =
+      published == present->end()
+          ? fmt::format("nobody publishes {}", topic)
+          : fmt::format("{} is of type {}, which carries no {}", topic, published->type, what);
+  const TopicType* nearest = nullptr;
+  const auto distance = [&](const TopicType& one) { return base::editDistance(topic, one.topic); };
+  for (const TopicType& one : *present)
+    if (fits(one.type) && (!nearest || distance(one) < distance(*nearest))) nearest = &one;
+  return nearest ? fmt::format("{}; the nearest topic with {} is {}", reason, what, nearest->topic)
+                 : fmt::format("{}; no topic at {} carries {}", reason, master, what);
 }
 
 }  // namespace capstan::ros1

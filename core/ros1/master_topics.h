@@ -22,4 +22,11 @@ std::optional<std::vector<TopicType>> topicsAtMaster(const std::string& uri,
 /// text.
 std::optional<std::vector<TopicType>> topicsOfAnswer(const std::string& xml);
 
+/// Why no message of a ROS topic comes, by what the master knows: `present` are the topics that somebody
+/// publishes, nothing if no master answers at `master`; `fits`: the types that are wanted, `what`: what they
+/// carry. Names the topic of such a type whose name is nearest. Empty: somebody publishes it.
+std::string hintForTopic(const std::string& topic, bool (*fits)(const std::string& type),
+                         const std::string& what, const std::optional<std::vector<TopicType>>& present,
+                         const std::string& master);
+
 }  // namespace capstan::ros1

@@ -4,10 +4,30 @@
 
 #include "core/base/error.h"
 #include "core/ros1/image_message.h"
+#include "core/ros1/master_topics.h"
 #include "core/ros1/message_codec.h"
 #include "core/ros1/ros_topics.h"
 
 namespace capstan::ros1 {
+namespace {
+
+constexpr const char* kType = "sensor_msgs/CameraInfo";
+constexpr std::chrono::milliseconds kPatience{700};  ///< with the master
+
+[[noreturn]] void refuse(const std::string& topic) {
+  const std::string master = masterUri();
+  const std::string hint = hintForTopic(
+      topic, [](const std::string& type) { return type == kType; }, kType, topicsAtMaster(master, kPatience),
+      master);
+  throw base::InputError({"ros:" + topic,
+                          0,
+                          {},
+                          {},
+                          std::string("gives no ") + kType + (hint.empty() ? "" : ": " + hint),
+                          "Start the cameras first, or give the folder of a calibration"});
+}
+
+}  // namespace
 
 vision::StereoRig receiveRig(const std::string& left_image, const std::string& right_image,
                              std::chrono::milliseconds patience) {
@@ -19,13 +39,7 @@ vision::StereoRig receiveRig(const std::string& left_image, const std::string& r
   for (std::size_t side = 0; side < 2; ++side) {
     TopicReader reader(topics[side], 1);
     const auto message = reader.next(patience);
-    if (!message || message->type != "sensor_msgs/CameraInfo")
-      throw base::InputError({"ros:" + topics[side],
-                              0,
-                              {},
-                              {},
-                              "publishes no sensor_msgs/CameraInfo",
-                              "Start the cameras first, or give the folder of a calibration"});
+    if (!message || message->type != kType) refuse(topics[side]);
     texts[side] = base::namingFile("ros:" + topics[side],
                                    [&] { return calibrationTextOf(decode<CameraInfo>(message->bytes)); });
   }

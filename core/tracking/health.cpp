@@ -180,7 +180,9 @@ void addEncoders(const TrackReport& report, Checks& checks) {
                                    report.motor_failed_since[i]));
   add(checks, {"encoders", "motor encoders", failed.empty() ? HealthVerdict::kPass : HealthVerdict::kFail,
                failed.empty() ? "all in use" : fmt::format("{}", fmt::join(failed, "; ")), "all in use",
-               "The joint is estimated from the camera alone. Check the encoder and its cable."});
+               "The joint is estimated from the camera alone until the motor is declared in use again. Check "
+               "the encoder "
+               "and its cable."});
 }
 
 void addLost(const TrackReport& report, const HealthLimits& limits, Checks& checks) {

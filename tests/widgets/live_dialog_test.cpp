@@ -21,6 +21,7 @@
 #include "tests/widgets/picture.h"
 #include "tests/widgets/shell_fixture.h"
 #include "widgets/figures/theme.h"
+#include "widgets/panels/notes/notes_panel.h"
 
 namespace capstan::widgets {
 namespace {
@@ -141,6 +142,8 @@ TEST_F(LiveDialogTest, PreviewsImagesAndMotorsThatMove) {
   EXPECT_TRUE(textOf("preview_motor_2").contains("is at rest")) << textOf("preview_motor_2").toStdString();
   EXPECT_TRUE(textOf("preview_motor_2").contains("28.65"))
       << "0.5 rad: " << textOf("preview_motor_2").toStdString();
+  EXPECT_TRUE(textOf("preview_motor_3").contains(" mm, motor at 5.73°"))
+      << "the third joint is linear: " << textOf("preview_motor_3").toStdString();
   const QColor left = of<QLabel>("preview_left").pixmap(Qt::ReturnByValue).toImage().pixelColor(100, 100),
                right = of<QLabel>("preview_right").pixmap(Qt::ReturnByValue).toImage().pixelColor(100, 100);
   EXPECT_GT(left.red(), left.blue() + 100);
@@ -256,6 +259,30 @@ TEST_F(Shell, TheDialogConnectsTheWindow) {
   dialog->findChild<QPushButton*>("connect")->click();
   EXPECT_TRUE(waitFor([&] { return window->windowTitle().contains("live"); }))
       << window->windowTitle().toStdString();
+}
+
+TEST_F(Shell, ALiveSessionIsInTheDialogAndItsChangesAreInTheNotes) {
+  auto window = makeWindow();
+  const std::string address = "tcp://127.0.0.1:" + std::to_string(live::ImageServer("127.0.0.1", 0).port());
+  window->open(SourceChoice::ofLive(QString::fromStdString(address)));
+  ASSERT_TRUE(opened(*window));
+  auto* dialog = window->findChild<LiveDialog*>();
+  EXPECT_EQ(dialog->setup().motors.from, address);
+  auto& notes = *window->findChild<NotesPanel*>();
+  const auto noted = [&](const char* what) {
+    return waitFor([&] {
+      for (int k = 0; k < notes.rows(); ++k)
+        if (notes.row(k).contains(what)) return true;
+      return false;
+    });
+  };
+  {
+    live::TcpSender robot(live::parseAddress(address, "from"));
+    robot.send("t,q_m1,q_m2,q_m3\n");
+    for (int k = 0; k < 500; ++k) robot.send(QString("%1,0.5,0.2,0.1\n").arg(k * 0.01).toStdString());
+    EXPECT_TRUE(noted("motors receiving")) << statusOf(*window).toStdString();
+  }
+  EXPECT_TRUE(noted("motors: waiting at")) << notes.row(notes.rows() - 1).toStdString();
 }
 
 }  // namespace

@@ -179,6 +179,14 @@ QGroupBox* LiveDialog::makeCameras() {
   return cameras_;
 }
 
+void LiveDialog::showLive(const QString& live) {
+  if (!live::isAddress(live.toStdString())) return openFile(live);
+  live::LiveSetup setup;
+  setup.title = title_->text().toStdString();
+  setup.motors.from = live.toStdString();
+  setSetup(setup);
+}
+
 QWidget* LiveDialog::makeButtons() {
   auto* row = new QWidget;
   auto* line = new QHBoxLayout(row);

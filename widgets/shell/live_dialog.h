@@ -33,6 +33,8 @@ class LiveDialog : public QDialog {
   live::LiveSetup setup() const;
   /// Reads a live set-up file into the form; a fault is shown in the dialog.
   void openFile(const QString& file);
+  /// Shows the robot of a session: `live` as chosen() gives it.
+  void showLive(const QString& live);
   /// Writes the form to `file`. False: a fault is shown in the dialog.
   bool saveFile(const QString& file);
 

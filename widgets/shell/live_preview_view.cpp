@@ -24,6 +24,17 @@ void showImage(QLabel& label, const cv::Mat& bgr, const QString& none) {
   label.setPixmap(QPixmap::fromImage(image.scaled(kImage, Qt::KeepAspectRatio, Qt::SmoothTransformation)));
 }
 
+QString jointText(const live::LivePreviewState& state, std::size_t k) {
+  if (!state.motors) return QObject::tr("joint %1: no rows yet").arg(k + 1);
+  const auto i = static_cast<Eigen::Index>(k);
+  return QObject::tr("joint %1: %2 %3, motor at %4° %5")
+      .arg(k + 1)
+      .arg(base::degreesOrMillimetres(state.joints(i), !state.prismatic[k]), 0, 'f', 2)
+      .arg(state.prismatic[k] ? QStringLiteral("mm") : QStringLiteral("°"))
+      .arg(base::toDegrees((*state.motors)(i)), 0, 'f', 2)
+      .arg(state.moving[k] ? QObject::tr("● is moving") : QObject::tr("is at rest"));
+}
+
 }  // namespace
 
 LivePreviewView::LivePreviewView(QWidget* parent) : QWidget(parent) {
@@ -74,13 +85,7 @@ void LivePreviewView::refresh() {
   const live::LivePreviewState state = preview_->state();
   showImage(*images_[0], state.left, tr("left: no images yet"));
   showImage(*images_[1], state.right, tr("right: no images yet"));
-  for (std::size_t k = 0; k < 3; ++k)
-    motors_[k]->setText(state.motors
-                            ? tr("joint %1: motor at %2° %3")
-                                  .arg(k + 1)
-                                  .arg(base::toDegrees((*state.motors)[static_cast<int>(k)]), 8, 'f', 2)
-                                  .arg(state.moving[k] ? tr("● is moving") : tr("is at rest"))
-                            : tr("joint %1: no rows yet").arg(k + 1));
+  for (std::size_t k = 0; k < 3; ++k) motors_[k]->setText(jointText(state, k));
   QStringList lines;
   for (const std::string& fault : state.faults) lines += QString::fromStdString(fault);
   for (const auto& side : state.sides) lines += QString::fromStdString(tracking::textOf(side));

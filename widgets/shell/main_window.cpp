@@ -250,6 +250,7 @@ void MainWindow::onOpened(const tracking::SourceInfo& info, const SourceChoice& 
   errors_->setReference(info.reference);
   notes_->clear();
   recording_since_.reset();  // that was of the session before
+  sides_ = {};
   notes_->setRecording(false);
   notes_->addEvent(now_, "source", title_);
   for (const std::string& notice : info.notices)
@@ -278,6 +279,8 @@ void MainWindow::onStatus(const live::RunStatus& status) {
   status_->showStatus(status, status.t - recording_since_.value_or(status.t));
   occlusion_->showBlocked(status.blocked);
   video_->setOutdated(status.sides);
+  for (const std::string& change : sides_.observe(status.sides))
+    notes_->addEvent(status.t, "source", QString::fromStdString(change));
   bar_->showStatus(status);
   const QString title = titleOfWindow(title_, status, recording_since_ ? status.t - *recording_since_ : -1.0);
   if (title != windowTitle()) setWindowTitle(title);

@@ -4,6 +4,7 @@
 #include <QSettings>
 #include <optional>
 
+#include "core/tracking/side_watch.h"
 #include "widgets/figures/joint_figure.h"
 #include "widgets/shell/session_link.h"
 
@@ -104,6 +105,7 @@ class MainWindow : public QMainWindow {
   SessionLink link_;
   double now_ = 0.0;  ///< newest session time [s]
   QString title_ = "no source";
+  tracking::SideWatch sides_;  ///< changes of a live source, for the notes
   std::optional<double> recording_since_;
   JointFigure* figure_;
   MessageBar *messages_, *news_, *export_news_, *compare_news_, *registration_news_;

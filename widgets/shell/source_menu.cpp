@@ -62,6 +62,7 @@ void SourceMenu::remember(const SourceChoice& choice) {
     dialog_->setRequest(choice.simulation);
     return;
   }
+  if (!choice.live.isEmpty()) live_->showLive(choice.live);
   if (!choice.isRecording()) return;
   recent_->remember(choice.file);
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/ros1/bag_topics.h"
+#include "core/ros1/master_topics.h"
 
 namespace capstan::live {
 namespace {
@@ -11,7 +12,7 @@ constexpr const char* kMaster = "http://127.0.0.1:11311";
 using Topics = std::optional<std::vector<ros1::TopicType>>;
 
 std::string motorsHint(const std::string& topic, const Topics& present) {
-  return hintForTopic(topic, ros1::carriesMotors, "motors", present, kMaster);
+  return ros1::hintForTopic(topic, ros1::carriesMotors, "motors", present, kMaster);
 }
 
 TEST(TopicHint, NamesTheNearestTopicOfTheSameKind) {
@@ -25,7 +26,7 @@ TEST(TopicHint, NamesTheNearestTopicOfTheSameKind) {
             "/PSM2/actuators/measured_js");
   EXPECT_EQ(motorsHint("/stereo/left/image_raw", present).substr(0, 76),
             "/stereo/left/image_raw is of type sensor_msgs/Image, which carries no motors");
-  EXPECT_EQ(hintForTopic("/stereo/left/image", ros1::carriesImages, "images", present, kMaster),
+  EXPECT_EQ(ros1::hintForTopic("/stereo/left/image", ros1::carriesImages, "images", present, kMaster),
             "nobody publishes /stereo/left/image; the nearest topic with images is /stereo/left/image_raw");
 }
 
