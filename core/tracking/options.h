@@ -66,7 +66,7 @@ struct TrackingOptions {
   /// Relative error of cable travel (pulley radius); insertion has no pulley but the motor's own.
   Eigen::Vector3d scale_sigma{0.05, 0.05, 0.01};
   double offset_sigma = 2e-3;  ///< error of a cable's zero [m]
-  double scale_probability = 0.15;
+  double scale_probability = 0.3;
   /// Low, because an offset is hard to distinguish from cameras that are rotated about the base.
   double offset_probability = 0.01;
   double compliance_sigma = 0.7;  ///< 1 − k_e / k_e,true, where k_e is the robot file's stiffness

@@ -25,7 +25,7 @@ class HealthPanel : public QWidget {
   void showHealth(const std::vector<tracking::HealthCheck>& checks, const tracking::InnovationRecord& nis);
   const NisPlot& plot() const { return *plot_; }
   QString headline() const;
-  QSize sizeHint() const override { return {560, 620}; }
+  QSize sizeHint() const override { return {560, 760}; }
 
  private:
   struct Row {

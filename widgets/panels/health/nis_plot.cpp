@@ -12,7 +12,7 @@ namespace capstan::widgets {
 
 namespace {
 
-constexpr double kLowest = 0.05, kHighest = 20.0;  // of the shown NIS
+constexpr double kLowest = 0.02, kHighest = 50.0;  // of the shown NIS
 
 }  // namespace
 
