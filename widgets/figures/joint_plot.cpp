@@ -13,8 +13,9 @@ namespace {
 constexpr double kDash = 8.0, kDashPeriod = 15.0;  ///< dash and period of the kinematic line, along time [px]
 constexpr double kProminence = 4.0;                ///< least height of a spike that no gap may hide [px]
 constexpr double kDense = 0.5;                     ///< time per pixel from which a curve is a band [s]
-constexpr double kCasing = 0.8;                    ///< width of the edge at each side of a dash [px]
-constexpr double kDotSize = 5.0;                   ///< [px]
+constexpr double kTravel = 20.0;  ///< height that a line travels per width, from which it is an area
+constexpr double kCasing = 0.8;   ///< width of the edge at each side of a dash [px]
+constexpr double kDotSize = 5.0;  ///< [px]
 
 QPixmap dotImage(const QColor& colour) {
   QPixmap image(static_cast<int>(kDotSize) + 1, static_cast<int>(kDotSize) + 1);
@@ -92,19 +93,41 @@ void JointPlot::setTheme(const Theme& theme, bool vectors, double widths) {
     pen.setStyle(Qt::SolidLine);  // the kinematic line's dashes are cut into its points
     pen.setCapStyle(Qt::FlatCap);
     pen.setWidthF(widths * pen.widthF());
-    graph(quantity)->setPen(pen);
+    pens_[graph(quantity)] = pen;
   }
-  QPen casing = graph(Quantity::kKinematic)->pen();
+  QPen casing = pens_[graph(Quantity::kKinematic)];
   casing.setColor(theme.surface);
   casing.setWidthF(casing.widthF() + 2.0 * widths * kCasing);
-  casing_->setPen(casing);
-  second_graph_->setPen(QPen(theme.accent, 1.8 * widths, Qt::SolidLine, Qt::FlatCap));
+  pens_[casing_] = casing;
+  pens_[second_graph_] = QPen(theme.accent, 1.8 * widths, Qt::SolidLine, Qt::FlatCap);
+  useThinPens(area_);
   const QColor dots = theme.colour(Quantity::kCamera);
   graph(Quantity::kCamera)->setPen(QPen(dots, 0));
   graph(Quantity::kCamera)
       ->setScatterStyle(vectors ? QCPScatterStyle(QCPScatterStyle::ssDisc, dots, dots, widths * kDotSize)
                                 : QCPScatterStyle(dotImage(dots)));
   band_->setColour(theme.band());
+}
+
+/// Whether the curve rises and falls so often that its lines fill an area.
+bool JointPlot::fillsArea() const {
+  const QVector<QCPGraphData>& line = ukf_.points();
+  double travel = 0.0;
+  for (int i = 1; i < line.size(); ++i) {
+    const double step = std::abs(line[i].value - line[i - 1].value);
+    if (std::isfinite(step)) travel += step;
+  }
+  return travel * axes_->height() > kTravel * drawn_.size() * axes_->width();
+}
+
+/// Thick pens show nothing where lines fill an area, and each segment is stroked as an area of its own. A
+/// cosmetic pen of one pixel is drawn directly.
+void JointPlot::useThinPens(bool on) {
+  area_ = on;
+  for (auto [graph, pen] : pens_) {
+    if (on) pen.setWidth(1), pen.setCosmetic(true);
+    graph->setPen(pen);
+  }
 }
 
 void JointPlot::setTickPoints(double points) {
@@ -171,10 +194,10 @@ void JointPlot::fill(double begin, double end, std::size_t most) {
   });
   fillSecond(begin, end, most);
   const double pixel = widths_ * (end - begin) / std::max(axes_->width(), 1);
-  // Where every pixel has a rise and a fall, smooth edges show nothing and cost most of the drawing.
-  const bool dense = on_screen_ && (end - begin) / std::max(axes_->width(), 1) > kDense;
-  for (QCPGraph* graph : graphs_) graph->setAntialiased(!dense);
-  for (QCPGraph* graph : {casing_, second_graph_}) graph->setAntialiased(!dense);
+  // At such a scale smooth edges show nothing and cost most of the drawing.
+  const bool coarse = on_screen_ && (end - begin) / std::max(axes_->width(), 1) > kDense;
+  for (const auto& [graph, pen] : pens_) graph->setAntialiased(!coarse);
+  if (const bool area = coarse && fillsArea(); area != area_) useThinPens(area);
   const double prominence = widths_ * kProminence * drawn_.size() / std::max(axes_->height(), 1);
   DashCutter(kDashPeriod * pixel, kDash * pixel, prominence).cut(kinematic_.points(), dashed_);
   graph(Quantity::kTrue)->data()->set(truth_.points(), true);

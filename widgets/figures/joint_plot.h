@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <optional>
 
 #include "widgets/figures/curve.h"
@@ -68,6 +69,8 @@ class JointPlot {
   using Readout = std::array<double, 5>;  ///< by Quantity, then 2σ of the UKF; NaN: unknown
   Readout readoutAt(double t, double camera_reach) const;
   void include(Quantity quantity, float value);
+  bool fillsArea() const;
+  void useThinPens(bool on);
   void chooseTicks();
   void fillCamera(double begin, double end);
   void fillSecond(double begin, double end, std::size_t most);
@@ -81,7 +84,8 @@ class JointPlot {
   std::array<QCPGraph*, 4> graphs_{};
   QCPGraph* casing_;  ///< background-coloured edge of each dash: separates dash from line in grey print
   SigmaBand* band_;
-  bool on_screen_ = true;
+  std::map<QCPGraph*, QPen> pens_;  ///< of the lines, where they fill no area
+  bool on_screen_ = true, area_ = false;
   const JointHistory* second_ = nullptr;
   QCPGraph* second_graph_;
   CurveBuilder second_line_;
