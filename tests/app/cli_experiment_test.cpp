@@ -127,7 +127,7 @@ TEST_F(Cli, TheSecondPapersTrainingSizes) {
 }
 
 TEST_F(Cli, TheSecondPapersSimulatedExperiments) {
-  const std::string small = " --motions 12 --inducing 60 --json - --out " + path("out");
+  const std::string small = " --motions 10 --inducing 40 --json - --out " + path("out");
   const Ran arrival = run("experiment G --arrivals 2" + small);
   ASSERT_EQ(arrival.exit, 0) << arrival.err;
   const json modes = json::parse(arrival.out)["arrival"];

@@ -214,7 +214,7 @@ TEST_F(CliRos, MotorsAloneAreEnoughToPlayAndAWrongTopicIsNamed) {
   runShell("export ROS_HOSTNAME=localhost ROS_MASTER_URI=http://localhost:" + port +
            "; (rosmaster --core -p " + port + " & master=$!; sleep 2; " + program + " play " +
            path("trial.capstan") + " --to ros 2>" + path("play.txt") +
-           " & playing=$!; sleep 2; timeout -s INT 20 " + program + " track --live " + path("wrong.yaml") +
+           " & playing=$!; sleep 2; timeout -s INT 10 " + program + " track --live " + path("wrong.yaml") +
            " 2>" + path("wrong.txt") + "; timeout 30 " + program + " track --live " + path("right.yaml") +
            " --duration 2 --json " + path("live.json") + "; kill $playing; kill $master; wait) >/dev/null");
   EXPECT_NE(textOf("wrong.txt").find("the nearest topic with motors is /arm/actuators/measured_js"),
