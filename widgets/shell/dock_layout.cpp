@@ -7,8 +7,6 @@
 #include <QTabBar>
 #include <algorithm>
 
-#include "widgets/shell/dock_scroll.h"
-
 namespace capstan::widgets {
 
 namespace {
@@ -16,7 +14,6 @@ namespace {
 constexpr int kRoomForAll = 950;  ///< height below which identification and notes are tabs of one place [px]
 constexpr int kBars = 160;        ///< menus, toolbar, status line, tabs and gaps, about [px]
 constexpr int kStrip = 180;       ///< room around a floating dock that is not worth leaving [px]
-constexpr int kSlack = 6;         ///< for a style whose sizes change when text comes [px]
 constexpr int kRoomForTwo = 680;  ///< height below which all panels of a side are tabs of one place [px]
 
 /// Moves a dock over the central widget when it is first shown.
@@ -44,13 +41,6 @@ class FirstPlace : public QObject {
   QDockWidget& dock_;
   bool placed_ = false;
 };
-
-/// Height of a dock whose panel is `width` wide, so that nothing has to be scrolled.
-int heightOf(const QDockWidget& dock, int width) {
-  const QWidget& panel = *dock.findChild<DockScroll*>()->widget();
-  const int more = panel.heightForWidth(width) - panel.sizeHint().height();
-  return dock.sizeHint().height() + std::max(0, more) + kSlack;
-}
 
 }  // namespace
 
@@ -86,7 +76,11 @@ void layOutDocks(QMainWindow& window) {
       tabs->setStyleSheet(
           "QTabBar { font-size: 9pt; } QTabBar::tab { padding: 4px 3px; }");  // four names fit
   }
-  const int occlusion = heightOf(*dock("occlusion"), right), errors = heightOf(*dock("errors"), right);
+  for (const char* name : {"occlusion", "errors"}) {  // always in view, so never scrolled
+    QWidget& panel = *dock(name)->widget();
+    panel.setMinimumHeight(height < kRoomForTwo ? 0 : panel.sizeHint().height());
+  }
+  const int occlusion = dock("occlusion")->sizeHint().height(), errors = dock("errors")->sizeHint().height();
   const int rest =
       std::max(150, height - kBars - occlusion - errors);  // identification and, if it fits, notes
   const int notes = height < kRoomForAll ? rest : rest / 4;
