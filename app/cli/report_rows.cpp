@@ -54,8 +54,10 @@ std::string comparison(const TrackReport& report, bool own_kinematics) {
     compare(report.errors.ukfSeen(), report.errors.camera(), "the camera alone where it saw the tip");
   }
   return worse.empty()
-             ? fmt::format("The filter is better than {} on every joint.",
-                           report.errors.camera().count() > 0 ? "kinematics and camera" : "kinematics")
+             ? fmt::format("The filter is better than kinematics on every joint{}.",
+                           report.errors.camera().count() > 0
+                               ? ", and than the camera on every joint while it sees the tip"
+                               : "")
              : fmt::format("The filter is worse than one of its inputs on {}.", fmt::join(worse, ", "));
 }
 

@@ -50,9 +50,9 @@ void addNis(const TrackReport& report, const robot::Description& robot, const He
                          "again; if NIS stays high, identify the robot, or raise position_noise.",
                          std::sqrt(mean))
                    : fmt::format(
-                         "Camera and filter disagree by only {:.2f} of the predicted σ: the filter trusts "
-                         "the camera too little. Lower registration_rotation_sigma, camera_sigma_floor or "
-                         "tip_sigma.",
+                         "Camera and filter disagree by only {:.2f} of the predicted σ: the stated σ is "
+                         "larger than the error. Nothing is wrong. Lower registration_rotation_sigma, "
+                         "camera_sigma_floor or tip_sigma only to values that were measured.",
                          std::sqrt(mean));
     add(checks, std::move(check));
   }
@@ -68,13 +68,23 @@ void addNees(const TrackReport& report, const HealthLimits& limits, Checks& chec
                            std::sqrt(nees))});
 }
 
+/// Number of camera samples that corrected the estimate.
+std::uint64_t usedOf(const TrackReport& report) {
+  return report.gates[static_cast<std::size_t>(Gate::kOpen)] + report.rays;
+}
+
 void addTransmission(const TrackReport& report, Checks& checks) {
   const std::vector<std::string> lines = linesOf(report.transmission);
   HealthCheck check{"transmission", "transmission and cameras"};
-  check.verdict = report.transmission.change_in_question ? HealthVerdict::kFail
-                  : lines.empty()                        ? HealthVerdict::kPass
-                                                         : HealthVerdict::kCautious;
-  check.value = lines.empty() ? "no error found" : fmt::format("{}", fmt::join(lines, "; "));
+  if (report.transmission.change_in_question)
+    check.verdict = HealthVerdict::kFail;
+  else if (!lines.empty())
+    check.verdict = HealthVerdict::kCautious;
+  else if (usedOf(report) > 0)
+    check.verdict = HealthVerdict::kPass;
+  check.value = !lines.empty()       ? fmt::format("{}", fmt::join(lines, "; "))
+                : usedOf(report) > 0 ? "no error found"
+                                     : "not observed";
   check.expected = "no error found";
   const DelayField field = report.live_cameras ? DelayField::kLiveSetup : DelayField::kOptions;
   check.advice = fmt::format("{}", fmt::join(remediesOf(report.transmission, field), " "));
@@ -82,27 +92,33 @@ void addTransmission(const TrackReport& report, Checks& checks) {
 }
 
 std::string noImageAdvice(const TrackReport& report) {
+  const std::string alone = "The estimate is by the motors alone. ";
+  if (report.camera_samples == 0 && !report.live_cameras)
+    return alone + "No camera observes the joints: errors of cables and pulleys remain unknown.";
   if (report.camera_samples == 0)
-    return "No pair of images came: the estimate is by the motors alone. Check addresses, stamps, pairing "
-           "and "
-           "latency of the cameras in the live set-up.";
+    return alone +
+           "No pair of images came. Check addresses, stamps, pairing and latency of the cameras in the live "
+           "set-up.";
   if (report.gates[static_cast<std::size_t>(Gate::kUnregistered)] == report.camera_samples)
-    return "The cameras are not registered: the estimate is by the motors alone. Register them, and name the "
-           "file in the live set-up (cameras.registration).";
-  return "Every pair was excluded: the estimate is by the motors alone. Look at the gate's reasons, the "
-         "detection of the marker and the latency.";
+    return alone + "The cameras are not registered. Register them" +
+           (report.live_cameras ? ", and name the file in the live set-up (cameras.registration)." : ".");
+  return alone +
+         "Every pair was excluded. Look at the gate's reasons, the detection of the marker and the latency.";
 }
 
-/// Of a live session whose set-up has cameras: the other checks of images judge only what came.
+/// The other checks of images judge only what came. Silent in a recording whose images are used.
 void addCameras(const TrackReport& report, const HealthLimits& limits, Checks& checks) {
-  if (!report.live_cameras) return;
-  const std::uint64_t used = report.gates[static_cast<std::size_t>(Gate::kOpen)] + report.rays;
+  const std::uint64_t used = usedOf(report);
+  if (used > 0 && !report.live_cameras) return;
   HealthCheck check{"cameras", "cameras", HealthVerdict::kPass};
-  if (used == 0)
-    check.verdict =
-        report.last_t - report.first_t < limits.no_images ? HealthVerdict::kUnknown : HealthVerdict::kFail;
-  check.value =
-      used > 0 ? fmt::format("{} of {} samples used", used, report.camera_samples) : "no image was used";
+  if (used == 0) {
+    const bool any = report.camera_samples > 0 || report.live_cameras;
+    check.verdict = any ? HealthVerdict::kFail : HealthVerdict::kCautious;
+    if (report.last_t - report.first_t < limits.no_images) check.verdict = HealthVerdict::kUnknown;
+  }
+  check.value = used > 0 ? fmt::format("{} of {} samples used", used, report.camera_samples)
+                : report.camera_samples > 0 || report.live_cameras ? "no image was used"
+                                                                   : "none";
   check.expected = "images are used";
   check.advice = noImageAdvice(report);
   add(checks, std::move(check));
@@ -124,10 +140,10 @@ void addDetection(const TrackReport& report, const HealthLimits& limits, Checks&
 }
 
 void addRefused(const TrackReport& report, const HealthLimits& limits, Checks& checks) {
-  if (report.camera_samples == 0) return;
   const std::uint64_t refused = report.gates[static_cast<std::size_t>(Gate::kJump)] +
                                 report.gates[static_cast<std::size_t>(Gate::kUnreachable)] +
                                 report.gates[static_cast<std::size_t>(Gate::kExchanged)];
+  if (refused + usedOf(report) == 0) return;
   const double part = share(refused, report.camera_samples);
   add(checks,
       {"refused", "refused camera samples", judge(part, limits.refused, limits.refused_fail),

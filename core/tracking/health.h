@@ -26,7 +26,7 @@ struct HealthLimits {
   double latency = 0.5, latency_fail = 1.0;        ///< 99 % latency over the filter's memory
   double rescues = 0.0, rescues_fail = 1e-3;       ///< repaired covariances per sample
   double lost = 0.0, lost_fail = 1e-3;             ///< lost, dropped and refused samples per sample
-  double no_images = 2.0;       ///< length of a live session with cameras that has used no image [s]
+  double no_images = 2.0;       ///< length of a session that has used no image, from which that is judged [s]
   std::uint64_t updates = 300;  ///< camera updates before NIS is judged: 20 s at 15 per second
 };
 

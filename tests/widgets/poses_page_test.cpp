@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <QComboBox>
+#include <QLabel>
 #include <QPushButton>
 #include <QTableWidget>
 #include <QTest>
@@ -28,6 +29,7 @@ class PosesPageTest : public testing::Test {
         tracking::Snapshot s = test::snapshotAt(arm_, t_ += 0.066, q, Eigen::Vector3d::Constant(1e-3));
         s.camera_updated = true;
         s.tip_kin_cam = arm_.tip(q);
+        s.transmission.scale(0) = travel_error_;
         s.tip_in_camera = truth_.inverse() * s.tip_kin_cam;
         for (int axis = 0; axis < 3; ++axis) s.tip_in_camera(axis) += random_.normal(0.0, 3e-4);
         page_.showSnapshot(s);
@@ -45,7 +47,7 @@ class PosesPageTest : public testing::Test {
   Eigen::Isometry3d truth_ = test::cameraBefore(arm_.tip(robot::homingOf(robot_))) *
                              Eigen::AngleAxisd(0.08, Eigen::Vector3d::UnitY());
   base::Random random_{3};
-  double t_ = 0.0;
+  double t_ = 0.0, travel_error_ = 0.0;
   PosesPage page_;
 };
 
@@ -71,6 +73,23 @@ TEST_F(PosesPageTest, LeadsFromPosesOverACheckToAcceptance) {
   ASSERT_TRUE(accepted);
   EXPECT_LT((accepted->translation() - truth_.translation()).norm(), 5e-3);
   EXPECT_FALSE(page_.active());
+}
+
+TEST_F(PosesPageTest, WarnsOfPosesByAWrongRobotFile) {
+  const auto warns = [&] {
+    for (const auto* label : page_.findChildren<QLabel*>())
+      if (label->isVisible() && label->text().contains("q1 travel +7.0 %")) return true;
+    return false;
+  };
+  button("Collect poses")->click();
+  visit(6);
+  EXPECT_FALSE(warns());
+  travel_error_ = 0.07;
+  visit(1);
+  EXPECT_TRUE(warns());
+  test::grab(page_, "poses_wrong_robot");
+  page_.setRobot(robot_);
+  EXPECT_FALSE(warns()) << "the poses are those of another robot file now";
 }
 
 TEST_F(PosesPageTest, RejectionNeedsAReason) {

@@ -85,7 +85,7 @@ TEST_F(HealthTest, NisIsJudgedByJointInBothDirections) {
   EXPECT_EQ(check("nis_q1").verdict, HealthVerdict::kFail);
   EXPECT_NE(check("nis_q1").advice.find("3.0 times"), std::string::npos) << check("nis_q1").advice;
   EXPECT_EQ(check("nis_q2").verdict, HealthVerdict::kCautious) << "too cautious a filter misleads nobody";
-  EXPECT_NE(check("nis_q2").advice.find("too little"), std::string::npos) << check("nis_q2").advice;
+  EXPECT_NE(check("nis_q2").advice.find("Nothing is wrong"), std::string::npos) << check("nis_q2").advice;
   EXPECT_EQ(check("nis_q3").verdict, HealthVerdict::kCautious);
 }
 
@@ -162,7 +162,20 @@ TEST_F(HealthTest, LiveCamerasOfWhichNoImageIsUsedFail) {
   EXPECT_EQ(check("cameras").value, "900 of 900 samples used");
   report_ = {};
   run(60.0, without_images);
-  for (const HealthCheck& one : checks()) EXPECT_NE(one.key, "cameras") << "a robot without cameras";
+  EXPECT_EQ(check("cameras").verdict, HealthVerdict::kCautious) << "a robot without cameras";
+  EXPECT_NE(check("cameras").advice.find("by the motors alone. No camera"), std::string::npos);
+}
+
+TEST_F(HealthTest, WhatNoImageShowsIsUnknown) {
+  run(60.0, [](Snapshot& s, int) { s.gate = Gate::kUnregistered; });
+  EXPECT_EQ(check("cameras").verdict, HealthVerdict::kFail);
+  EXPECT_NE(check("cameras").advice.find("Register them."), std::string::npos) << check("cameras").advice;
+  EXPECT_EQ(check("transmission").verdict, HealthVerdict::kUnknown);
+  EXPECT_EQ(check("transmission").value, "not observed");
+  for (const HealthCheck& one : checks()) EXPECT_NE(one.key, "refused") << "nothing came to the gate";
+  report_ = {};
+  run(60.0);
+  for (const HealthCheck& one : checks()) EXPECT_NE(one.key, "cameras") << "the other checks say it";
 }
 
 TEST_F(HealthTest, LostSamplesAreThoseOfAllSides) {

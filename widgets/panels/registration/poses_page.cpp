@@ -15,6 +15,7 @@
 #include "core/base/units.h"
 #include "core/registration/closure.h"
 #include "core/registration/pair_words.h"
+#include "core/tracking/transmission_text.h"
 
 namespace capstan::widgets {
 namespace {
@@ -28,6 +29,19 @@ QTableWidgetItem* numberItem(const QString& text) {
   item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
   item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
   return item;
+}
+
+/// Why poses by the robot file would mislead: what the augmented filter has found wrong in it; empty:
+/// nothing.
+QString wrongConstantsOf(const tracking::TransmissionEstimate& found) {
+  bool wrong = false;
+  for (const int joint : {0, 1, 2}) wrong |= found.includesScale(joint) || found.includesOffset(joint);
+  return wrong ? QObject::tr(
+                     "The filter finds the robot file wrong (%1), and the poses are computed with that "
+                     "file. Identify the robot and accept the values before you accept this "
+                     "registration; the poses are then computed again.")
+                     .arg(QString::fromStdString(tracking::shortTextOf(found)))
+               : QString();
 }
 
 }  // namespace
@@ -174,12 +188,16 @@ void PosesPage::begin(const robot::Description& robot, const std::optional<Eigen
 void PosesPage::setRobot(const robot::Description& robot) {
   if (!collector_) return;
   collector_->setRobot(robot);
+  wrong_constants_.clear();
   refresh();
 }
 
 void PosesPage::showSnapshot(const tracking::Snapshot& snapshot) {
   if (!active()) return;
-  if (collector_->observe(snapshot)) refresh();
+  const QString wrong = wrongConstantsOf(snapshot.transmission);
+  const bool changed = wrong.isEmpty() != wrong_constants_.isEmpty();
+  wrong_constants_ = wrong;
+  if (collector_->observe(snapshot) || changed) refresh();
 }
 
 void PosesPage::setEnded(bool ended) {
@@ -223,6 +241,7 @@ void PosesPage::refresh() {
     const auto words = registration::wordsOf(fit.error());
     refusal_->setText(QString::fromStdString(words.reason + ". " + words.remedy + "."));
   }
+  if (!wrong_constants_.isEmpty()) refusal_->setText(wrong_constants_);  // it explains the residuals
   refusal_->setVisible(poses > 0 && !refusal_->text().isEmpty());
   closures_->setText(closureText());
 }

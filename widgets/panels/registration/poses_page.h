@@ -71,6 +71,7 @@ class PosesPage : public QWidget {
   QTableWidget* table_;
   QComboBox* reason_;
   QPushButton *collect_, *clear_, *save_, *check_, *accept_, *reject_;
+  QString wrong_constants_;  ///< warning of the newest snapshot; empty: none
   bool filling_ = false, ended_ = false;
 };
 
