@@ -19,7 +19,9 @@ class RecordingSlot {
   /// Estimates of motor samples are reduced to `estimate_rate` [1/s of recording].
   explicit RecordingSlot(double estimate_rate) : estimates_(estimate_rate) {}
   ~RecordingSlot() {
-    if (recorder_) recorder_->close();
+    if (!recorder_) return;
+    noteGaps();
+    recorder_->close();
   }
 
   // The pipeline's thread.
@@ -32,6 +34,7 @@ class RecordingSlot {
   }
   void end() {
     if (!recorder_) return;
+    noteGaps();
     closing_.push_back(
         std::async(std::launch::async, [recorder = std::move(recorder_)] { recorder->close(); }));
     recorder_ = nullptr;
@@ -41,6 +44,7 @@ class RecordingSlot {
   }
   void offer(const tracking::Snapshot& snapshot) {
     if (!recorder_) return;
+    t_ = snapshot.t;
     if (snapshot.camera_updated || (snapshot.motor_updated && estimates_.due(snapshot.t)))
       recorder_->offer(snapshot);
   }
@@ -65,7 +69,16 @@ class RecordingSlot {
   }
 
  private:
+  /// Whoever opens the recording later learns that it has gaps.
+  void noteGaps() {
+    const std::uint64_t dropped = recorder_->stats().dropped;
+    if (dropped > 0)
+      note(t_, "recorder",
+           std::to_string(dropped) + " samples are missing: the disk was slower than the data");
+  }
+
   base::DueTimes estimates_;
+  double t_ = 0.0;  ///< of the newest snapshot [s]
   std::shared_ptr<recording::Recorder> recorder_;
   std::vector<std::future<void>> closing_;
   mutable std::mutex mutex_;
