@@ -142,7 +142,12 @@ ExitCode run(const DetectArguments& arguments) {
   const Output output(arguments.json);
   output.text(wordsOf(rows));
   output.json(documentOf(rows));
-  return std::ranges::any_of(rows, &Row::found) ? kOk : kFailed;
+  const bool any = std::ranges::any_of(rows, &Row::found);
+  if (!any && arguments.marker.empty())
+    notice(
+        "the green ball of the simulation is in no pair. For another marker make its limits with one click "
+        "(capstan-cli marker PICTURE --at U,V --out marker.yaml) and give --marker marker.yaml");
+  return any ? kOk : kFailed;
 }
 
 }  // namespace

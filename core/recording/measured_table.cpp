@@ -93,7 +93,8 @@ class ColumnCollector {
                               "t",
                               {},
                               "is not among the columns",
-                              "Add the column t: time [s], strictly increasing"});
+                              "Add the column t: time [s], strictly increasing. Tables of tip poses are read "
+                              "by diagnose and learn"});
     std::size_t joints = 0;
     for (std::size_t i = 0; i < kQuantities.size(); ++i)
       if (kQuantities[i].by_joint) joints = std::max(joints, lastPresent(found_[i]));

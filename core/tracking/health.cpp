@@ -45,15 +45,17 @@ void addNis(const TrackReport& report, const robot::Description& robot, const He
     if (report.innovations.count() > 0) check.value = fmt::format("{:.2f}", mean);
     check.expected = fmt::format("{:.2g} to {:.2g}; 1 where σ is right", limits.nis_low, limits.nis);
     check.advice =
-        mean > 1.0 ? fmt::format(
-                         "Camera and filter disagree by {:.1f} times the predicted σ. Register the cameras "
-                         "again; if NIS stays high, identify the robot, or raise position_noise.",
-                         std::sqrt(mean))
-                   : fmt::format(
-                         "Camera and filter disagree by only {:.2f} of the predicted σ: the stated σ is "
-                         "larger than the error. Nothing is wrong. Lower registration_rotation_sigma, "
-                         "camera_sigma_floor or tip_sigma only to values that were measured.",
-                         std::sqrt(mean));
+        mean > 1.0
+            ? fmt::format(
+                  "Camera and filter disagree by {:.1f} times the predicted σ. Restore an earlier "
+                  "registration or register the cameras again; if NIS stays high, identify the robot, or "
+                  "raise position_noise.",
+                  std::sqrt(mean))
+            : fmt::format(
+                  "Camera and filter disagree by only {:.2f} of the predicted σ: the stated σ is "
+                  "larger than the error. Nothing is wrong. Lower registration_rotation_sigma, "
+                  "camera_sigma_floor or tip_sigma only to values that were measured.",
+                  std::sqrt(mean));
     add(checks, std::move(check));
   }
 }

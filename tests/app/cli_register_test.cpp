@@ -139,6 +139,13 @@ TEST_F(CliRegisterPixels, NamesExchangedCameras) {
   EXPECT_EQ(run(command + " --exchange").exit, 0);
 }
 
+TEST_F(CliRegister, PicturesWithoutTheBallNameTheWayToAnotherMarker) {
+  std::ofstream(path("dark.ppm")) << "P6\n64 48\n255\n" << std::string(64 * 48 * 3, '\0');
+  const Ran ran = run("detect " + path("dark.ppm") + " --right " + path("dark.ppm"));
+  EXPECT_EQ(ran.exit, 1) << ran.err;
+  EXPECT_THAT(ran.err, HasSubstr("--marker marker.yaml"));
+}
+
 // One click on the red mark of a da Vinci jaw, then all pairs, then the cameras' transform.
 TEST_F(CliRegister, FromOneClickOnARealMarkToTheTransform) {
   const auto folder = test::dataFolder() / "davinci-red-marker";
