@@ -6,9 +6,7 @@ namespace capstan::live {
 
 std::optional<std::string> TopicHint::ask() {
   if (Clock::now() < next_) return {};
-  const std::string master = ros1::masterUri();
-  std::string hint =
-      ros1::hintForTopic(topic_, fits_, what_, ros1::topicsAtMaster(master, kPatience), master);
+  std::string hint = ros1::hintFromMaster(topic_, fits_, what_);
   next_ = Clock::now() + kPeriod;
   return hint;
 }

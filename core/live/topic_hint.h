@@ -14,10 +14,10 @@ class TopicHint {
  public:
   TopicHint(std::string topic, bool (*fits)(const std::string& type), std::string what)
       : topic_(std::move(topic)), fits_(fits), what_(std::move(what)) {}
-  /// The hint; nothing: it is not time to ask. Waits up to kPatience for the master.
+  /// The hint; nothing: it is not time to ask. Waits as hintFromMaster().
   std::optional<std::string> ask();
 
-  static constexpr std::chrono::milliseconds kFirst{500}, kPeriod{3000}, kPatience{700};
+  static constexpr std::chrono::milliseconds kFirst{500}, kPeriod{3000};
 
  private:
   using Clock = std::chrono::steady_clock;

@@ -84,4 +84,11 @@ std::string hintForTopic(const std::string& topic, bool (*fits)(const std::strin
                  : fmt::format("{}; no topic at {} carries {}", reason, master, what);
 }
 
+std::string hintFromMaster(const std::string& topic, bool (*fits)(const std::string& type),
+                           const std::string& what) {
+  constexpr std::chrono::milliseconds kPatience{700};
+  const std::string master = masterUri();
+  return hintForTopic(topic, fits, what, topicsAtMaster(master, kPatience), master);
+}
+
 }  // namespace capstan::ros1

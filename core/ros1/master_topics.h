@@ -28,5 +28,8 @@ std::optional<std::vector<TopicType>> topicsOfAnswer(const std::string& xml);
 std::string hintForTopic(const std::string& topic, bool (*fits)(const std::string& type),
                          const std::string& what, const std::optional<std::vector<TopicType>>& present,
                          const std::string& master);
+/// The same by asking the master at masterUri(), with a patience of 0.7 s.
+std::string hintFromMaster(const std::string& topic, bool (*fits)(const std::string& type),
+                           const std::string& what);
 
 }  // namespace capstan::ros1

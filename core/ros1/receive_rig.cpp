@@ -12,13 +12,10 @@ namespace capstan::ros1 {
 namespace {
 
 constexpr const char* kType = "sensor_msgs/CameraInfo";
-constexpr std::chrono::milliseconds kPatience{700};  ///< with the master
 
 [[noreturn]] void refuse(const std::string& topic) {
-  const std::string master = masterUri();
-  const std::string hint = hintForTopic(
-      topic, [](const std::string& type) { return type == kType; }, kType, topicsAtMaster(master, kPatience),
-      master);
+  const std::string hint = hintFromMaster(
+      topic, [](const std::string& type) { return type == kType; }, kType);
   throw base::InputError({"ros:" + topic,
                           0,
                           {},

@@ -113,14 +113,14 @@ void addCameras(const TrackReport& report, const HealthLimits& limits, Checks& c
   const std::uint64_t used = usedOf(report);
   if (used > 0 && !report.live_cameras) return;
   HealthCheck check{"cameras", "cameras", HealthVerdict::kPass};
+  const bool any = report.camera_samples > 0 || report.live_cameras;
   if (used == 0) {
-    const bool any = report.camera_samples > 0 || report.live_cameras;
     check.verdict = any ? HealthVerdict::kFail : HealthVerdict::kCautious;
     if (report.last_t - report.first_t < limits.no_images) check.verdict = HealthVerdict::kUnknown;
   }
   check.value = used > 0 ? fmt::format("{} of {} samples used", used, report.camera_samples)
-                : report.camera_samples > 0 || report.live_cameras ? "no image was used"
-                                                                   : "none";
+                : any    ? "no image was used"
+                         : "none";
   check.expected = "images are used";
   check.advice = noImageAdvice(report);
   add(checks, std::move(check));
@@ -199,8 +199,7 @@ void addEncoders(const TrackReport& report, Checks& checks) {
   add(checks, {"encoders", "motor encoders", failed.empty() ? HealthVerdict::kPass : HealthVerdict::kFail,
                failed.empty() ? "all in use" : fmt::format("{}", fmt::join(failed, "; ")), "all in use",
                "The joint is estimated from the camera alone until the motor is declared in use again. Check "
-               "the encoder "
-               "and its cable."});
+               "the encoder and its cable."});
 }
 
 void addLost(const TrackReport& report, const HealthLimits& limits, Checks& checks) {
