@@ -339,7 +339,7 @@ class Runner::Impl {
     reported_ = wall;
     meter_.look(t_, wall);
     std::vector<tracking::SideStatus> sides = source_->sides();
-    for (std::string& sentence : side_watch_.observe(sides))
+    for (std::string& sentence : begun_ ? side_watch_.observe(sides) : std::vector<std::string>())
       recording_.note(t_, "source", std::move(sentence));
     {
       const std::lock_guard lock(mutex_);
