@@ -101,6 +101,7 @@ simulation::SimulatedOptions session(double seconds, double rate) {
   request.duration = seconds;
   simulation::SimulatedOptions options = simulation::optionsOf(request);
   options.truth.cameras.rate = rate;
+  options.truth.cameras.latency_jitter = 0.0;  // regular cameras: what is measured is the window's irregularity
   return options;
 }
 

@@ -1,7 +1,7 @@
 capstan_widget_test(
   NAME figures_test
   SOURCES figures_curve_test.cpp figures_day_test.cpp figures_export_test.cpp figures_header_test.cpp figures_history_test.cpp
-          figures_joint_test.cpp figures_theme_test.cpp figures_turn_test.cpp figures_views_test.cpp
+          figures_joint_test.cpp figures_theme_test.cpp figures_views_test.cpp
   LINKS capstan::figures)
 
 capstan_widget_test(

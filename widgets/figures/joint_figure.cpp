@@ -3,7 +3,6 @@
 #include <QPushButton>
 #include <algorithm>
 
-#include "widgets/figures/drawing_turn.h"
 #include "widgets/figures/number_text.h"
 #include "widgets/figures/panel_figure.h"
 #include "widgets/figures/range_statistics.h"
@@ -37,7 +36,6 @@ JointFigure::JointFigure(const JointHistory& history, Medium medium, QWidget* pa
   connect(live_, &QPushButton::clicked, this, [this] { setFollowing(true); });
   later_.setSingleShot(true);
   connect(&later_, &QTimer::timeout, this, [this] { refresh(); });
-  connect(this, &QCustomPlot::afterReplot, this, [this] { DrawingTurn::drew(this, replotTime()); });
   layOut();
   setJointNames({tr("joint 1"), tr("joint 2"), tr("joint 3")});
   setTheme(Theme::light());
@@ -209,9 +207,8 @@ void JointFigure::refresh(bool at_once) {
   const QCPRange time(end_ - span_, end_);
   const View view = viewOf(time);
   if (!at_once && view == drawn_) return;
-  const bool barely_moved = !at_once && barelyMoved(view);
-  if (barely_moved || (!at_once && following_ && !DrawingTurn::isFreeFor(this))) {
-    if (!later_.isActive()) later_.start(barely_moved ? kRest : kApart);
+  if (!at_once && barelyMoved(view)) {
+    if (!later_.isActive()) later_.start(kRest);
     return;
   }
   later_.stop();

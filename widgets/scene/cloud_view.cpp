@@ -6,6 +6,7 @@
 #include <QPainter>
 #include <algorithm>
 
+#include "widgets/scene/render_thread.h"
 #include "widgets/scene/scene_labels.h"
 #include "widgets/scene/scene_view.h"
 
@@ -50,7 +51,9 @@ CloudView::CloudView(QWidget* parent) : QWidget(parent) {
   timer_.start();
 }
 
-CloudView::~CloudView() = default;
+CloudView::~CloudView() {
+  if (renderer_) RenderThread::run([this] { renderer_.reset(); });
+}
 
 void CloudView::setTheme(const Theme& theme) {
   theme_ = theme;
@@ -96,6 +99,12 @@ void CloudView::changed() {
 void CloudView::draw() {
   changed_ = false;
   if (empty() || !SceneView::available()) return update();
+  RenderThread::run([this] { render(); });
+  image_.setDevicePixelRatio(devicePixelRatioF());
+  update();
+}
+
+void CloudView::render() {
   if (!renderer_) renderer_ = std::make_unique<CloudRenderer>();
   if (clouds_changed_) {
     renderer_->setColours(theme_.surface, theme_.isDark() ? theme_.border : theme_.border.darker(105));
@@ -104,8 +113,6 @@ void CloudView::draw() {
     clouds_changed_ = false;
   }
   image_ = renderer_->render(camera_, (QSizeF(size()) * devicePixelRatioF()).toSize());
-  image_.setDevicePixelRatio(devicePixelRatioF());
-  update();
 }
 
 QImage CloudView::image() {

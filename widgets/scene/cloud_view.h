@@ -49,6 +49,7 @@ class CloudView : public QWidget {
   bool empty() const;
   void changed();
   void draw();
+  void render();  ///< in the RenderThread
   void drawKey(QPainter& painter) const;
 
   Theme theme_ = Theme::dark();

@@ -1,7 +1,6 @@
 #include "widgets/scene/scene_view.h"
 
 #include <QContextMenuEvent>
-#include <QElapsedTimer>
 #include <QGuiApplication>
 #include <QMenu>
 #include <QMouseEvent>
@@ -9,7 +8,7 @@
 #include <QShortcut>
 #include <cmath>
 
-#include "widgets/figures/drawing_turn.h"
+#include "widgets/scene/render_thread.h"
 #include "widgets/scene/scene_renderer.h"
 
 namespace capstan::widgets {
@@ -17,7 +16,6 @@ namespace capstan::widgets {
 namespace {
 
 constexpr int kPeriod = 66;  ///< least time between images [ms]
-constexpr int kRest = 4;     ///< a drawing is followed by a rest of as many times its duration
 constexpr double kEllipsoidSigmas = 2.0;
 constexpr double kEllipsoidWanted = 0.012;  // [m] half axis that can be seen from the opening view
 
@@ -50,21 +48,17 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent) {
   key(Qt::Key_Home, [this] { resetCamera(); });
   timer_.setInterval(kPeriod);
   connect(&timer_, &QTimer::timeout, this, [this] {
-    if (!changed_ || !isVisible()) return;
-    if (!DrawingTurn::isFreeFor(this)) {
-      timer_.setInterval(kApart / 2);
-      return;
-    }
-    QElapsedTimer spent;
-    spent.start();
-    draw();
-    DrawingTurn::drew(this, static_cast<double>(spent.elapsed()));
-    timer_.setInterval(std::max(kPeriod, static_cast<int>(kRest * spent.elapsed())));
+    if (changed_ && isVisible()) draw();
   });
   timer_.start();
 }
 
-SceneView::~SceneView() = default;
+SceneView::~SceneView() { dropRenderer(); }
+
+/// Waits for the drawings that were asked for: they refer to this view.
+void SceneView::dropRenderer() {
+  if (renderer_) RenderThread::run([this] { renderer_.reset(); });
+}
 
 bool SceneView::available() {
   const QString platform = QGuiApplication::platformName();
@@ -73,19 +67,20 @@ bool SceneView::available() {
 
 bool SceneView::ready() {
   if (!robot_ || !available()) return false;
-  if (!renderer_) {
-    renderer_ = std::make_unique<SceneRenderer>();
-    renderer_->setTheme(theme_);
-    renderer_->setArm(shapeOf(*robot_));
-    renderer_->setGrid(grid_);
-    renderer_->setRig(rig_, base_from_camera_);
-  }
+  if (!renderer_)
+    RenderThread::run([this] {
+      renderer_ = std::make_unique<SceneRenderer>();
+      renderer_->setTheme(theme_);
+      renderer_->setArm(shapeOf(*robot_));
+      renderer_->setGrid(grid_);
+      renderer_->setRig(rig_, base_from_camera_);
+    });
   return true;
 }
 
 void SceneView::setTheme(const Theme& theme) {
   theme_ = theme;
-  if (renderer_) renderer_->setTheme(theme);
+  if (renderer_) RenderThread::post([this, theme] { renderer_->setTheme(theme); });
   changed();
 }
 
@@ -99,7 +94,8 @@ void SceneView::setRobot(const robot::Description& robot, const std::optional<vi
   trail_.clear();
   snapshot_.reset();
   tension_.reset();
-  renderer_.reset();
+  dropRenderer();
+  image_ = {};
   setRegistration(base_from_camera);
   resetCamera();
 }
@@ -110,7 +106,8 @@ void SceneView::setRegistration(const std::optional<Eigen::Isometry3d>& base_fro
   if (rig_ && base_from_camera_)
     captions_.cameras = {base_from_camera_->translation(),
                          (*base_from_camera_ * rig_->right_from_left.inverse()).translation()};
-  if (renderer_) renderer_->setRig(rig_, base_from_camera_);
+  if (renderer_)
+    RenderThread::post([this, rig = rig_, base_from_camera] { renderer_->setRig(rig, base_from_camera); });
   changed();
 }
 
@@ -164,9 +161,7 @@ void SceneView::changed() {
   if (!available()) update();
 }
 
-void SceneView::draw() {
-  if (!ready()) return update();
-  changed_ = false;
+ScenePose SceneView::poseNow() {
   ScenePose pose;
   const bool known = snapshot_ && (snapshot_->q_link_ukf.allFinite() || snapshot_->q_link_kin.allFinite());
   Eigen::Vector3d q;
@@ -188,14 +183,41 @@ void SceneView::draw() {
   pose.tip = arm_->tip(q);
   pose.marker = captions_.marker;
   for (const auto& point : trail_) pose.trail.push_back(point.tip);
-  renderer_->pose(pose);
-  image_ = renderer_->render(camera_, (QSizeF(size()) * devicePixelRatioF()).toSize());
+  return pose;
+}
+
+/// Asks for an image of what is known now. One at a time: what changes meanwhile is in the next.
+void SceneView::draw() {
+  if (!ready()) return update();
+  if (drawing_) return;
+  changed_ = false;
+  drawing_ = true;
+  RenderThread::post([this, pose = poseNow(), camera = camera_, pixels = pixelSize()] {
+    renderer_->pose(pose);
+    const QImage image = renderer_->render(camera, pixels);
+    QMetaObject::invokeMethod(
+        this, [this, image, camera] { take(image, camera); }, Qt::QueuedConnection);
+  });
+}
+
+void SceneView::take(const QImage& image, const OrbitCamera& camera) {
+  drawing_ = false;
+  image_ = image;
   image_.setDevicePixelRatio(devicePixelRatioF());
+  image_camera_ = camera;
   update();
 }
 
+QSize SceneView::pixelSize() const { return (QSizeF(size()) * devicePixelRatioF()).toSize(); }
+
 QImage SceneView::image() {
-  draw();
+  if (!ready()) return image_;
+  QImage image;
+  RenderThread::run([&, pose = poseNow()] {
+    renderer_->pose(pose);
+    image = renderer_->render(camera_, pixelSize());
+  });
+  take(image, camera_);
   return image_;
 }
 
@@ -215,8 +237,8 @@ void SceneView::paintEvent(QPaintEvent*) {
   }
   painter.drawImage(rect(), image_);
   painter.setRenderHint(QPainter::Antialiasing);
-  drawGridLabels(painter, grid_, camera_, size(), theme_);
-  drawCameraLabels(painter, captions_, camera_, size(), theme_);
+  drawGridLabels(painter, grid_, image_camera_, size(), theme_);
+  drawCameraLabels(painter, captions_, image_camera_, size(), theme_);
   if (height() < 170 || width() < 380) return;
   drawTensionLegend(painter, captions_, tension_, size(), theme_);
   drawSceneKey(painter, captions_, trail_seconds_, theme_);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <QElapsedTimer>
+#include <QImage>
 #include <QTimer>
 #include <QWidget>
 #include <deque>
@@ -18,11 +18,12 @@
 namespace capstan::widgets {
 
 class SceneRenderer;
+struct ScenePose;
 
 /// The 3-D view: arm, cables coloured by force, camera frusta, tip trail, 2σ ellipsoid and workspace grid.
 /// Left drag orbits, middle or shift drag pans, the wheel zooms, a double click resets the view; more in the
-/// context menu. It draws at most 15 images per second, and only when something changed. Without a
-/// display it reports an error.
+/// context menu. It asks the RenderThread for at most 15 images per second, and only when something changed.
+/// Without a display it reports an error.
 class SceneView : public QWidget {
   Q_OBJECT
 
@@ -69,13 +70,17 @@ class SceneView : public QWidget {
     Eigen::Vector3d tip;
   };
   bool ready();
+  void dropRenderer();
   void changed();
   void draw();
+  void take(const QImage& image, const OrbitCamera& camera);
+  ScenePose poseNow();
+  QSize pixelSize() const;
   void keepTrail(const tracking::Snapshot& snapshot);
   void chooseEllipsoidScale();
 
   Theme theme_ = Theme::dark();
-  std::unique_ptr<SceneRenderer> renderer_;
+  std::unique_ptr<SceneRenderer> renderer_;  ///< used in the RenderThread only, and set while it waits
   std::optional<robot::Description> robot_;
   std::optional<robot::ArmKinematics> arm_;
   std::optional<vision::StereoRig> rig_;
@@ -89,8 +94,9 @@ class SceneView : public QWidget {
   WorkspaceGrid grid_;
   SceneCaptions captions_;
   QImage image_;
+  OrbitCamera image_camera_;  ///< from which image_ was drawn: its labels fit it
   QTimer timer_;
-  bool changed_ = true;
+  bool changed_ = true, drawing_ = false;
   OrbitMouse mouse_;
 };
 

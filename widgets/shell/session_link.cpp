@@ -16,7 +16,7 @@ namespace capstan::widgets {
 namespace {
 
 constexpr int kPeriod = 33;       ///< [ms]
-constexpr int kFramePeriod = 8;   ///< of looking for new images [ms]
+constexpr int kFramePeriod = 4;   ///< of looking for new images [ms]
 constexpr int kReportTicks = 10;  ///< ticks per update of the error table: three per second
 
 std::unique_ptr<live::Runner> makeRunner(std::unique_ptr<tracking::Source> source) {
