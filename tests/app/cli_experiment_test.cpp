@@ -127,16 +127,16 @@ TEST_F(Cli, TheSecondPapersTrainingSizes) {
 }
 
 TEST_F(Cli, TheSecondPapersSimulatedExperiments) {
-  const std::string small = " --motions 10 --inducing 40 --json - --out " + path("out");
+  const std::string small = " --motions 10 --inducing 20 --json - --out " + path("out");
   const Ran arrival = run("experiment G --arrivals 2" + small);
   ASSERT_EQ(arrival.exit, 0) << arrival.err;
   const json modes = json::parse(arrival.out)["arrival"];
   EXPECT_LT(modes["end_point"]["distance"]["mean"], modes["none"]["distance"]["mean"]);
   EXPECT_THAT(textOf("out/G/comparison.md"), HasSubstr("20.30 ± 0.80"));
   EXPECT_TRUE(fs::exists(folder_ / "out/G/arrival.pdf"));
-  const Ran debridement = run("experiment H --fragments 3" + small);
+  const Ran debridement = run("experiment H --fragments 2" + small);
   ASSERT_EQ(debridement.exit, 0) << debridement.err;
-  EXPECT_EQ(json::parse(debridement.out)["methods"]["replanning"]["fragments"], 3);
+  EXPECT_EQ(json::parse(debridement.out)["methods"]["replanning"]["fragments"], 2);
   EXPECT_TRUE(fs::exists(folder_ / "out/H/debridement.svg"));
   EXPECT_EQ(run("experiment G " + path("poses.csv") + small).exit, 2) << "it simulates";
 }

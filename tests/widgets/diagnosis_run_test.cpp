@@ -67,9 +67,9 @@ TEST_F(DiagnosisRuns, ToleranceUnitsAndEffortOfTheWindowAreThoseOfTheOptions) {
     for (double& q_m : column) q_m *= 180.0 / M_PI;
   base::writeTextFile(path("degrees.csv"), recording::formatMeasuredTable(table));
   const QString file = folder_.filePath("degrees.csv"), tolerance = "3deg,40mm";
-  const nlohmann::json report = window(file, {.read_as = "q_m=deg", .material = tolerance, .effort = 0.25});
+  const nlohmann::json report = window(file, {.read_as = "q_m=deg", .material = tolerance, .effort = 0.01});
   EXPECT_EQ(report.at("material").at("length").get<double>(), 0.04);
-  const QStringList options{"--material", tolerance, "--read-as", "q_m=deg", "--effort", "0.25"};
+  const QStringList options{"--material", tolerance, "--read-as", "q_m=deg", "--effort", "0.01"};
   EXPECT_EQ(withoutTimes(report).dump(), withoutTimes(commandLine(file, options)).dump());
 }
 
