@@ -157,6 +157,17 @@ def table_corpora():
     put("row_stream", "long-line", "\x10" + "t,q_m1,q_m2,q_m3\n" + "1" * 300)
 
 
+def network():
+    head = "--b\r\nContent-Type: image/jpeg\r\n"
+    put("multipart", "lengths", "\x05\r\n" + (head + "Content-Length: 4\r\nX-Timestamp: 12.25\r\n\r\nJPEG\r\n") * 3 + "--b--\r\n")
+    put("multipart", "boundaries", "\x00" + (head + "\r\nJ\nPE--bG\r\n") * 2 + head + "\r\n--b\n")
+    put("multipart", "wrong-length", "\x02" + head + "Content-Length: 2\r\n\r\nJPEG\r\n" + head + "Content-Length: 99999999999\r\n\r\n")
+    put("multipart", "page", "\x20<html>" + "no camera " * 500)
+    put("http_url", "password", "us%65r:p%2fw@camera.local:8080/stream.mjpg?size=640")
+    put("http_url", "ipv6", "[::1]:81?a@b")
+    put("http_url", "port", "host:65536/")
+
+
 def binary_tables():
     t, q = np.arange(5) / 1000, np.linspace(0, 1, 5)
     columns = dict(t=t, q_m1=q, q_m2=q, q_m3=q.astype("f4"), note=np.arange(5, dtype="i1"))
@@ -365,6 +376,7 @@ def correction_corpora():
 yaml_corpora()
 camera_corpora()
 table_corpora()
+network()
 binary_tables()
 message_corpora()
 session_corpora()
