@@ -185,7 +185,7 @@ void addWindowOptions(CLI::App& command, ReportArguments& arguments) {
           "--unregistered", [&arguments] { arguments.simulation.registered = false; },
           "unknown camera pose: the filter uses kinematics alone")
       ->group("Simulation");
-  grouped(command.add_option("--theme", arguments.theme, "ignored"));
+  grouped(command.add_option("--theme", arguments.theme, "without effect: figures of a report are light"));
 }
 
 ExitCode report(ReportArguments& arguments, const CLI::App& command) {

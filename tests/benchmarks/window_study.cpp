@@ -8,6 +8,7 @@
 #include <QApplication>
 #include <QDockWidget>
 #include <QElapsedTimer>
+#include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTimer>
 #include <QWheelEvent>
@@ -207,8 +208,9 @@ void load(Watch& app, const QString& folder, double seconds, int points) {
 
 /// Opens the recording, waits until it has been tracked to its end or for `most` seconds, and closes it.
 bool cycle(MainWindow& window, const QString& file, int most) {
-  window.open(SourceChoice::ofFile(file));
-  return QTest::qWaitFor([&] { return window.link().runner() && window.link().runner()->status().t > 30.0; },
+  QSignalSpy opened(&window.link(), &SessionLink::opened);
+  window.open(SourceChoice::ofFile(file));  // closes the one before, in the background
+  return QTest::qWaitFor([&] { return !opened.empty() && window.link().runner()->status().t > 30.0; },
                          1000 * most);
 }
 
