@@ -373,6 +373,20 @@ def correction_corpora():
         first + b"\n" + b'{"checksum": "0", "numbers": 0, "x": ' + b"[" * 5000 + b"]" * 5000 + b"}\n")
 
 
+def experiment_corpora():
+    (WORK / "small.yaml").write_text("name: small\nwork: track\nimages: false\ntrials:\n  - {name: a, trajectory: hold, duration: 0.1}\n")
+    cli("experiment", "small.yaml", "--out", "whole")
+    cli("experiment", "small.yaml", "--out", "part", "--shard", "1/2")
+    whole, between = WORK / "whole" / "small", "\n====\n"
+    put("experiment_results", "small", between.join([(whole / "results.json").read_text(), (whole / "series.json").read_text(),
+        (WORK / "part" / "shard.json").read_text()]))
+    put("experiment_results", "trial", 3 * between + (whole / "trials" / "a.json").read_text())
+    put("experiment_results", "nested", "\n====\n".join(["[" * 3000, "{}", '{"format": 1e999}', '{"fingerprint": null}']))
+    for k, value in enumerate(["q_m=deg,p_c=mm,t=ms", "motors=/a/b,left=/c", "2/8", "0.02deg,0.02mm", "silence:2@10", "step:-0.5@1e3",
+                               "swap:2@10", "tcp://127.0.0.1:5555", "http://localhost:0", "igtl://127.0.0.1:18944", "ros:/topic"]):
+        put("option_values", f"value-{k}", value)
+
+
 yaml_corpora()
 camera_corpora()
 table_corpora()
@@ -382,4 +396,5 @@ message_corpora()
 session_corpora()
 bag_corpora()
 correction_corpora()
+experiment_corpora()
 print(sum(f.stat().st_size for f in CORPUS.rglob("*") if f.is_file()), "bytes in", CORPUS)

@@ -25,6 +25,7 @@ struct Given {
 
 /// Host and port after `scheme`.
 std::pair<std::string, std::uint16_t> parseHostAndPort(const Given& given, std::string_view scheme) {
+  if (!given.text.starts_with(scheme)) given.refuse("does not begin with " + std::string(scheme));
   const std::string rest = given.text.substr(scheme.size());
   const std::size_t colon = rest.rfind(':');
   if (colon == std::string::npos) given.refuse("names no port");
@@ -73,7 +74,6 @@ Address parseIgtlAddress(const std::string& text, const std::string& option) {
 
 HttpAddress parseHttpAddress(const std::string& text, const std::string& option) {
   const Given given{text, option, "Give http://ADDRESS:PORT, such as http://127.0.0.1:8081"};
-  if (!text.starts_with(kHttp)) given.refuse("is no HTTP address");
   auto [host, port] = parseHostAndPort(given, kHttp);
   return {std::move(host), port};
 }
