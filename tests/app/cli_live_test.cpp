@@ -255,7 +255,7 @@ TEST_F(CliLive, BadAddressesAndFaultsAreRefused) {
         {"play trial.csv --to rows.fifo", "no TCP address"},
         {"play trial.csv --to tcp://127.0.0.1:5555 --fault storm", "names no fault"},
         {"play trial.csv", "is missing, and so is --video"},
-        {"play trial.csv --video 127.0.0.1:8081", "is no HTTP address"},
+        {"play trial.csv --video 127.0.0.1:8081", "does not begin with http://"},
         {"play trial.csv --to tcp://127.0.0.1:5555 --video-fault swap:1@1", "needs --video"},
         {"play trial.csv --video http://127.0.0.1:8081 --fault drop:0.1", "needs --to"},
         {"record --live - --out trial.csv", "does not end in .capstan"}}) {
