@@ -1,9 +1,16 @@
 #include <gtest/gtest.h>
 
+#include <QCoreApplication>
+#include <QSemaphore>
 #include <QTest>
+#include <chrono>
+#include <memory>
+#include <thread>
+#include <utility>
 
 #include "tests/widgets/picture.h"
 #include "tests/widgets/scene_snapshot.h"
+#include "widgets/scene/render_thread.h"
 #include "widgets/scene/scene_view.h"
 
 namespace capstan::widgets {
@@ -174,6 +181,58 @@ TEST_F(SceneWindow, BothThemesLargeAndSmall) {
       EXPECT_LE(test::distance(scene.pixel(3, 3), theme.surface.rgb()), 3);
       test::grab(view, QString("scene_%1_%2").arg(theme.name).arg(size.width()));
     }
+}
+
+/// Lets the drawings that the view asked for wait until it is destroyed.
+class HeldRenderThread {
+ public:
+  HeldRenderThread() {
+    RenderThread::post([this] { held_.acquire(); });
+  }
+  ~HeldRenderThread() { release(); }
+  void release() {
+    if (!std::exchange(released_, true)) held_.release();
+  }
+
+ private:
+  QSemaphore held_;
+  bool released_ = false;
+};
+
+TEST_F(SceneWindow, AnotherRobotForgetsTheDrawingOfTheFormerOne) {
+  const auto drawn = [this] {
+    const QImage seen = view.grab().toImage();
+    return seen.width() * seen.height() - test::count(seen, seen.rect(), Theme::dark().surface, 1).pixels;
+  };
+  view.showSnapshot(at(1.0, kJoints, 0.001));
+  view.image();
+  ASSERT_GT(drawn(), 500);
+  HeldRenderThread held;
+  view.showSnapshot(at(1.1, kJoints, 0.001));
+  QTest::qWait(200);  // asks for an image
+  view.setRobot(robot, std::nullopt, std::nullopt);
+  EXPECT_EQ(drawn(), 0) << "nothing is known of the new robot";
+  held.release();
+  RenderThread::run([] {});
+  QCoreApplication::sendPostedEvents(&view, QEvent::MetaCall);
+  EXPECT_EQ(drawn(), 0) << "the image that was asked for is of the robot before";
+  EXPECT_TRUE(QTest::qWaitFor([&] { return drawn() > 500; }));
+}
+
+TEST_F(SceneWindow, ADrawingUnderWayOutlivesNoView) {
+  auto other = std::make_unique<SceneView>();
+  other->setRobot(robot, test::stereoRig(), test::cameraBefore(arm.tip(kJoints)));
+  other->show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(other.get()));
+  HeldRenderThread held;
+  QTest::qWait(200);  // asks for an image
+  std::thread later([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    held.release();
+  });
+  other.reset();
+  later.join();
+  QTest::qWait(50);  // nothing comes any more
 }
 
 }  // namespace

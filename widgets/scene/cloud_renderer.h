@@ -23,7 +23,7 @@ struct PointCloud {
 };
 
 /// VTK part of a view of point clouds: an off-screen render window whose image is read back. It needs an X
-/// display; VTK crashes without one, so call SceneView::available() first.
+/// display; VTK crashes without one, so call RenderedView::available() first.
 class CloudRenderer {
  public:
   CloudRenderer();

@@ -2,13 +2,12 @@
 
 #include <QKeyEvent>
 #include <QLocale>
-#include <QMouseEvent>
 #include <QPainter>
 #include <algorithm>
+#include <utility>
 
 #include "widgets/scene/render_thread.h"
 #include "widgets/scene/scene_labels.h"
-#include "widgets/scene/scene_view.h"
 
 namespace capstan::widgets {
 
@@ -16,7 +15,6 @@ namespace {
 
 constexpr double kAzimuth = 0.2, kElevation = 0.42;  ///< angles of the initial view [rad]
 constexpr double kKeyPoints = 9.5;
-constexpr int kPeriod = 66;  ///< least time between images [ms]
 
 Eigen::AlignedBox3d boxOf(const std::vector<PointCloud>& clouds) {
   Eigen::AlignedBox3d box;
@@ -39,20 +37,13 @@ double cellFor(const Eigen::AlignedBox3d& box) {
 
 }  // namespace
 
-CloudView::CloudView(QWidget* parent) : QWidget(parent) {
-  setAttribute(Qt::WA_OpaquePaintEvent);
-  setFocusPolicy(Qt::StrongFocus);
+CloudView::CloudView(QWidget* parent) : RenderedView(parent) {
   setAccessibleName(tr("positions in 3-D"));
   setToolTip(tr("Drag: orbit · shift drag: pan · wheel, + −: zoom · double click, Home: back"));
-  timer_.setInterval(kPeriod);
-  connect(&timer_, &QTimer::timeout, this, [this] {
-    if (changed_ && isVisible()) draw();
-  });
-  timer_.start();
 }
 
 CloudView::~CloudView() {
-  if (renderer_) RenderThread::run([this] { renderer_.reset(); });
+  RenderThread::run([this] { renderer_.reset(); });
 }
 
 void CloudView::setTheme(const Theme& theme) {
@@ -91,49 +82,31 @@ void CloudView::resetCamera() {
   changed();
 }
 
-void CloudView::changed() {
-  changed_ = true;
-  if (!SceneView::available()) update();
-}
-
-void CloudView::draw() {
-  changed_ = false;
-  if (empty() || !SceneView::available()) return update();
-  RenderThread::run([this] { render(); });
-  image_.setDevicePixelRatio(devicePixelRatioF());
-  update();
-}
-
-void CloudView::render() {
-  if (!renderer_) renderer_ = std::make_unique<CloudRenderer>();
-  if (clouds_changed_) {
-    renderer_->setColours(theme_.surface, theme_.isDark() ? theme_.border : theme_.border.darker(105));
-    renderer_->setGrid(grid_);
-    renderer_->setClouds(clouds_);
-    clouds_changed_ = false;
-  }
-  image_ = renderer_->render(camera_, (QSizeF(size()) * devicePixelRatioF()).toSize());
-}
-
-QImage CloudView::image() {
-  draw();
-  return image_;
+CloudView::Drawing CloudView::drawing() {
+  if (empty() || !available()) return {};
+  if (std::exchange(clouds_changed_, false))
+    RenderThread::post([this, theme = theme_, grid = grid_, clouds = clouds_] {
+      if (!renderer_) renderer_ = std::make_unique<CloudRenderer>();
+      renderer_->setColours(theme.surface, theme.isDark() ? theme.border : theme.border.darker(105));
+      renderer_->setGrid(grid);
+      renderer_->setClouds(clouds);
+    });
+  return [this](const OrbitCamera& camera, const QSize& size) { return renderer_->render(camera, size); };
 }
 
 void CloudView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
-  const bool available = SceneView::available();
-  if (empty() || !available || image_.isNull()) {
+  if (empty() || !available() || image_.isNull()) {
     painter.fillRect(rect(), theme_.surface);
     painter.setPen(theme_.muted);
     painter.setFont(textFont(10.5));
-    const QString words = !available ? tr("3-D view needs a display") : empty() ? empty_words_ : QString();
+    const QString words = !available() ? tr("3-D view needs a display") : empty() ? empty_words_ : QString();
     painter.drawText(rect().adjusted(20, 20, -20, -20), Qt::AlignCenter | Qt::TextWordWrap, words);
     return;
   }
   painter.drawImage(rect(), image_);
   painter.setRenderHint(QPainter::Antialiasing);
-  drawGridLabels(painter, grid_, camera_, size(), theme_);
+  drawGridLabels(painter, grid_, image_camera_, size(), theme_);
   drawKey(painter);
 }
 
@@ -162,9 +135,6 @@ void CloudView::drawKey(QPainter& painter) const {
   }
 }
 
-void CloudView::resizeEvent(QResizeEvent*) { changed(); }
-void CloudView::showEvent(QShowEvent*) { changed(); }
-
 void CloudView::keyPressEvent(QKeyEvent* event) {
   switch (event->key()) {
     case Qt::Key_Home:
@@ -176,26 +146,6 @@ void CloudView::keyPressEvent(QKeyEvent* event) {
     default:
       QWidget::keyPressEvent(event);
   }
-}
-
-void CloudView::mousePressEvent(QMouseEvent* event) {
-  if (mouse_.press(*event)) setCursor(Qt::ClosedHandCursor);
-}
-
-void CloudView::mouseMoveEvent(QMouseEvent* event) {
-  if (mouse_.move(*event, camera_, height())) changed();
-}
-
-void CloudView::mouseReleaseEvent(QMouseEvent*) {
-  mouse_.release();
-  unsetCursor();
-}
-
-void CloudView::mouseDoubleClickEvent(QMouseEvent*) { resetCamera(); }
-
-void CloudView::wheelEvent(QWheelEvent* event) {
-  OrbitMouse::wheel(*event, camera_);
-  changed();
 }
 
 }  // namespace capstan::widgets

@@ -28,7 +28,7 @@ struct ScenePose {
 };
 
 /// VTK part of the 3-D view: an off-screen render window whose image is read back. It needs an X display; VTK
-/// crashes without one, so call SceneView::available() first.
+/// crashes without one, so call RenderedView::available() first.
 class SceneRenderer {
  public:
   SceneRenderer();

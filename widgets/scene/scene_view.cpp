@@ -1,12 +1,11 @@
 #include "widgets/scene/scene_view.h"
 
 #include <QContextMenuEvent>
-#include <QGuiApplication>
 #include <QMenu>
-#include <QMouseEvent>
 #include <QPainter>
 #include <QShortcut>
 #include <cmath>
+#include <utility>
 
 #include "widgets/scene/render_thread.h"
 #include "widgets/scene/scene_renderer.h"
@@ -15,7 +14,6 @@ namespace capstan::widgets {
 
 namespace {
 
-constexpr int kPeriod = 66;  ///< least time between images [ms]
 constexpr double kEllipsoidSigmas = 2.0;
 constexpr double kEllipsoidWanted = 0.012;  // [m] half axis that can be seen from the opening view
 
@@ -23,13 +21,11 @@ Eigen::Vector3d workspaceCentre(const WorkspaceGrid& grid) { return 0.5 * (grid.
 
 }  // namespace
 
-SceneView::SceneView(QWidget* parent) : QWidget(parent) {
-  setAttribute(Qt::WA_OpaquePaintEvent);
+SceneView::SceneView(QWidget* parent) : RenderedView(parent) {
   setAccessibleName("3-D view");
   setToolTip(
       "Drag or arrow keys: orbit · shift drag: pan · wheel, + and −: zoom · double click or Home: back · "
       "menu key: more");
-  setFocusPolicy(Qt::StrongFocus);
   const auto key = [this](Qt::Key code, auto act) {
     auto* shortcut = new QShortcut(code, this);
     shortcut->setContext(Qt::WidgetShortcut);
@@ -46,41 +42,27 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent) {
   key(Qt::Key_Plus, [this] { camera_.zoom(kNearer); });
   key(Qt::Key_Minus, [this] { camera_.zoom(1.0 / kNearer); });
   key(Qt::Key_Home, [this] { resetCamera(); });
-  timer_.setInterval(kPeriod);
-  connect(&timer_, &QTimer::timeout, this, [this] {
-    if (changed_ && isVisible()) draw();
+}
+
+SceneView::~SceneView() {
+  RenderThread::run([this] { renderer_.reset(); });
+}
+
+void SceneView::makeRenderer() {
+  has_renderer_ = true;
+  RenderThread::post([this, theme = theme_, arm = shapeOf(*robot_), grid = grid_, rig = rig_,
+                      base_from_camera = base_from_camera_] {
+    renderer_ = std::make_unique<SceneRenderer>();
+    renderer_->setTheme(theme);
+    renderer_->setArm(arm);
+    renderer_->setGrid(grid);
+    renderer_->setRig(rig, base_from_camera);
   });
-  timer_.start();
-}
-
-SceneView::~SceneView() { dropRenderer(); }
-
-/// Waits for the drawings that were asked for: they refer to this view.
-void SceneView::dropRenderer() {
-  if (renderer_) RenderThread::run([this] { renderer_.reset(); });
-}
-
-bool SceneView::available() {
-  const QString platform = QGuiApplication::platformName();
-  return !qEnvironmentVariableIsEmpty("DISPLAY") && (platform == "xcb" || platform.startsWith("wayland"));
-}
-
-bool SceneView::ready() {
-  if (!robot_ || !available()) return false;
-  if (!renderer_)
-    RenderThread::run([this] {
-      renderer_ = std::make_unique<SceneRenderer>();
-      renderer_->setTheme(theme_);
-      renderer_->setArm(shapeOf(*robot_));
-      renderer_->setGrid(grid_);
-      renderer_->setRig(rig_, base_from_camera_);
-    });
-  return true;
 }
 
 void SceneView::setTheme(const Theme& theme) {
   theme_ = theme;
-  if (renderer_) RenderThread::post([this, theme] { renderer_->setTheme(theme); });
+  if (has_renderer_) RenderThread::post([this, theme] { renderer_->setTheme(theme); });
   changed();
 }
 
@@ -94,8 +76,8 @@ void SceneView::setRobot(const robot::Description& robot, const std::optional<vi
   trail_.clear();
   snapshot_.reset();
   tension_.reset();
-  dropRenderer();
-  image_ = {};
+  if (std::exchange(has_renderer_, false)) RenderThread::post([this] { renderer_.reset(); });
+  clear();
   setRegistration(base_from_camera);
   resetCamera();
 }
@@ -106,7 +88,7 @@ void SceneView::setRegistration(const std::optional<Eigen::Isometry3d>& base_fro
   if (rig_ && base_from_camera_)
     captions_.cameras = {base_from_camera_->translation(),
                          (*base_from_camera_ * rig_->right_from_left.inverse()).translation()};
-  if (renderer_)
+  if (has_renderer_)
     RenderThread::post([this, rig = rig_, base_from_camera] { renderer_->setRig(rig, base_from_camera); });
   changed();
 }
@@ -156,12 +138,7 @@ void SceneView::chooseEllipsoidScale() {
   }
 }
 
-void SceneView::changed() {
-  changed_ = true;
-  if (!available()) update();
-}
-
-ScenePose SceneView::poseNow() {
+ScenePose SceneView::pose() {
   ScenePose pose;
   const bool known = snapshot_ && (snapshot_->q_link_ukf.allFinite() || snapshot_->q_link_kin.allFinite());
   Eigen::Vector3d q;
@@ -186,39 +163,13 @@ ScenePose SceneView::poseNow() {
   return pose;
 }
 
-/// Asks for an image of what is known now. One at a time: what changes meanwhile is in the next.
-void SceneView::draw() {
-  if (!ready()) return update();
-  if (drawing_) return;
-  changed_ = false;
-  drawing_ = true;
-  RenderThread::post([this, pose = poseNow(), camera = camera_, pixels = pixelSize()] {
+SceneView::Drawing SceneView::drawing() {
+  if (!robot_ || !available()) return {};
+  if (!has_renderer_) makeRenderer();
+  return [this, pose = pose()](const OrbitCamera& camera, const QSize& size) {
     renderer_->pose(pose);
-    const QImage image = renderer_->render(camera, pixels);
-    QMetaObject::invokeMethod(
-        this, [this, image, camera] { take(image, camera); }, Qt::QueuedConnection);
-  });
-}
-
-void SceneView::take(const QImage& image, const OrbitCamera& camera) {
-  drawing_ = false;
-  image_ = image;
-  image_.setDevicePixelRatio(devicePixelRatioF());
-  image_camera_ = camera;
-  update();
-}
-
-QSize SceneView::pixelSize() const { return (QSizeF(size()) * devicePixelRatioF()).toSize(); }
-
-QImage SceneView::image() {
-  if (!ready()) return image_;
-  QImage image;
-  RenderThread::run([&, pose = poseNow()] {
-    renderer_->pose(pose);
-    image = renderer_->render(camera_, pixelSize());
-  });
-  take(image, camera_);
-  return image_;
+    return renderer_->render(camera, size);
+  };
 }
 
 void SceneView::paintEvent(QPaintEvent*) {
@@ -242,29 +193,6 @@ void SceneView::paintEvent(QPaintEvent*) {
   if (height() < 170 || width() < 380) return;
   drawTensionLegend(painter, captions_, tension_, size(), theme_);
   drawSceneKey(painter, captions_, trail_seconds_, theme_);
-}
-
-void SceneView::resizeEvent(QResizeEvent*) { changed(); }
-void SceneView::showEvent(QShowEvent*) { changed(); }
-
-void SceneView::mousePressEvent(QMouseEvent* event) {
-  if (mouse_.press(*event)) setCursor(Qt::ClosedHandCursor);
-}
-
-void SceneView::mouseMoveEvent(QMouseEvent* event) {
-  if (mouse_.move(*event, camera_, height())) changed();
-}
-
-void SceneView::mouseReleaseEvent(QMouseEvent*) {
-  mouse_.release();
-  unsetCursor();
-}
-
-void SceneView::mouseDoubleClickEvent(QMouseEvent*) { resetCamera(); }
-
-void SceneView::wheelEvent(QWheelEvent* event) {
-  OrbitMouse::wheel(*event, camera_);
-  changed();
 }
 
 void SceneView::contextMenuEvent(QContextMenuEvent* event) {

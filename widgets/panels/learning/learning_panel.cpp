@@ -18,7 +18,7 @@
 #include "widgets/panels/learning/table_picker.h"
 #include "widgets/panels/learning/trajectory_view.h"
 #include "widgets/scene/cloud_view.h"
-#include "widgets/scene/scene_view.h"
+#include "widgets/scene/cloud_view.h"
 
 namespace capstan::widgets {
 
@@ -199,7 +199,7 @@ void LearningPanel::askFolder() {
 void LearningPanel::exportTo(const QString& folder) {
   if (!ready()) return;
   QImage clouds;
-  if (SceneView::available()) {
+  if (CloudView::available()) {
     pages_->clouds().view().image();
     clouds = pages_->clouds().view().grab().toImage();
   }
