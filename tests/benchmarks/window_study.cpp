@@ -8,7 +8,6 @@
 #include <QApplication>
 #include <QDockWidget>
 #include <QElapsedTimer>
-#include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTimer>
 #include <QWheelEvent>
@@ -102,7 +101,8 @@ simulation::SimulatedOptions session(double seconds, double rate) {
   request.duration = seconds;
   simulation::SimulatedOptions options = simulation::optionsOf(request);
   options.truth.cameras.rate = rate;
-  options.truth.cameras.latency_jitter = 0.0;  // regular cameras: what is measured is the window's irregularity
+  options.truth.cameras.latency_jitter =
+      0.0;  // regular cameras: what is measured is the window's irregularity
   return options;
 }
 
@@ -208,10 +208,13 @@ void load(Watch& app, const QString& folder, double seconds, int points) {
 
 /// Opens the recording, waits until it has been tracked to its end or for `most` seconds, and closes it.
 bool cycle(MainWindow& window, const QString& file, int most) {
-  QSignalSpy opened(&window.link(), &SessionLink::opened);
+  bool opened = false;
+  const auto heard = QObject::connect(&window.link(), &SessionLink::opened, [&] { opened = true; });
   window.open(SourceChoice::ofFile(file));  // closes the one before, in the background
-  return QTest::qWaitFor([&] { return !opened.empty() && window.link().runner()->status().t > 30.0; },
-                         1000 * most);
+  const bool played =
+      QTest::qWaitFor([&] { return opened && window.link().runner()->status().t > 30.0; }, 1000 * most);
+  QObject::disconnect(heard);
+  return played;
 }
 
 void memory(const QString& folder, int cycles, double minutes) {
@@ -226,7 +229,7 @@ void memory(const QString& folder, int cycles, double minutes) {
   const int warm = std::min(cycles, 5);
   double at_first = 0.0;
   for (int i = 0; i < cycles; ++i) {
-    if (!cycle(window, file, 60)) return void(std::printf("cycle %d did not open\n", i));
+    if (!cycle(window, file, 600)) return void(std::printf("cycle %d did not open\n", i));
     if (i == warm - 1) at_first = residentMegabytes();
     if (i % 10 == 9)
       std::printf("  after %2d cycles %7.1f MB\n", i + 1, residentMegabytes()), std::fflush(stdout);
