@@ -145,8 +145,9 @@ ExitCode run(const DetectArguments& arguments) {
   const bool any = std::ranges::any_of(rows, &Row::found);
   if (!any && arguments.marker.empty())
     notice(
-        "the green ball of the simulation is in no pair. For another marker make its limits with one click "
-        "(capstan-cli marker PICTURE --at U,V --out marker.yaml) and give --marker marker.yaml");
+        "the green ball of the simulation is in no pair. For another marker, make a marker file from one "
+        "pixel "
+        "(capstan-cli marker IMAGE --at U,V --out marker.yaml) and give --marker marker.yaml");
   return any ? kOk : kFailed;
 }
 

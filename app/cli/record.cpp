@@ -12,6 +12,7 @@
 #include "app/cli/outputs.h"
 #include "app/cli/recordings.h"
 #include "app/cli/track_output.h"
+#include "core/live/recorder_options.h"
 #include "core/live/runner.h"
 #include "core/tracking/make_pipeline.h"
 
@@ -49,9 +50,8 @@ ExitCode record(const RecordArguments& arguments) {
   if (feed || outputs)
     runner->listen(live::both(feed ? feed->begin(info) : live::Listener{},
                               outputs ? outputs->begin(info) : live::Listener{}));
-  recording::RecorderOptions options;
-  options.wait = info.sender_waits;
-  runner->startRecording(arguments.out, recording::headerOf(info, isoNow()), options);
+  runner->startRecording(arguments.out, recording::headerOf(info, isoNow()),
+                         live::recorderOptionsFor(info, runner->status()));
   base::Progress progress;
   {
     const ProgressLine line(progress);

@@ -171,6 +171,18 @@ TEST_F(Books, AnExportOfEverythingCanBeCancelledAndNamesAFolderThatIsNotFree) {
   EXPECT_FALSE(QFile::exists(file("out/session-boxplot.pdf")));
 }
 
+TEST_F(Books, PanelsOfOcclusionAndErrorsAreWholeInARestoredLayoutToo) {
+  for (const char* start : {"first", "second, with the layout of the first"}) {
+    auto window = windowAtRest();
+    for (const char* name : {"occlusion", "errors"}) {
+      const QWidget& panel = *window->findChild<QDockWidget*>(name)->widget();
+      EXPECT_GE(panel.height(), panel.sizeHint().height()) << name << ", start: " << start;
+      EXPECT_GT(panel.minimumHeight(), 100) << name << ", start: " << start;
+    }
+    window->close();
+  }
+}
+
 TEST_F(Books, LayoutsAreSavedChosenDeletedAndResetByName) {
   const auto hidden = [](MainWindow& window, const char* name) {
     return window.findChild<QDockWidget*>(name)->isHidden();

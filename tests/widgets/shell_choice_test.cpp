@@ -8,7 +8,6 @@
 
 #include "core/base/error.h"
 #include "widgets/shell/recent_menu.h"
-#include "widgets/shell/recorder_options.h"
 #include "widgets/shell/simulation_dialog.h"
 #include "widgets/shell/source_menu.h"
 
@@ -59,30 +58,6 @@ TEST(SourceChoice, KeepsFilesByTheirAbsolutePath) {
   EXPECT_EQ(QString::fromStdString(back.simulation.robot.string()), here.absoluteFilePath("arm.yaml"));
   EXPECT_EQ(QString::fromStdString(back.simulation.truth), here.absoluteFilePath("truth.yaml"));
   EXPECT_EQ(back.simulation.trajectory, "hold") << "a name is no file";
-}
-
-TEST(RecorderOptions, HoldTwoSecondsOfASourceOfAnyRateAndSize) {
-  tracking::SourceInfo info;
-  info.rig.emplace();
-  info.rig->left.width = info.rig->right.width = 1280;
-  info.rig->left.height = info.rig->right.height = 720;
-  live::RunStatus status;
-  recording::RecorderOptions options = recorderOptionsFor(info, status);
-  EXPECT_EQ(options.width, 1280);
-  EXPECT_EQ(options.height, 720);
-  EXPECT_NEAR(options.frame_rate, 15.0, 1e-12) << "what the pipeline expects";
-  EXPECT_EQ(options.buffered_time, recording::RecorderOptions{}.buffered_time);
-  status.frame_rate = 60.0;
-  status.motor_rate = 2000.0;
-  options = recorderOptionsFor(info, status);
-  EXPECT_EQ(options.frame_rate, 60.0);
-  EXPECT_EQ(options.motor_rate, 2000.0);
-  EXPECT_EQ(options.buffered_time, 2.0);
-  status = {};
-  info.tracking = "camera_period: 0.0166666\n";
-  EXPECT_NEAR(recorderOptionsFor(info, status).frame_rate, 60.0, 1e-9) << "before the first picture";
-  info.rig.reset();
-  EXPECT_EQ(recorderOptionsFor(info, status).width, 0) << "no memory for pictures that never come";
 }
 
 TEST(SourceChoice, WithoutSettingsIsTheDefaultSimulation) {

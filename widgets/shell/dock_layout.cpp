@@ -51,7 +51,15 @@ void floatOverCentre(QMainWindow& window, QDockWidget& dock) {
   new FirstPlace(window, dock);
 }
 
+void keepWhole(QMainWindow& window) {
+  for (const char* name : {"occlusion", "errors"}) {
+    QWidget& panel = *window.findChild<QDockWidget*>(name)->widget();
+    panel.setMinimumHeight(window.height() < kRoomForTwo ? 0 : panel.sizeHint().height());
+  }
+}
+
 void layOutDocks(QMainWindow& window) {
+  keepWhole(window);
   const auto dock = [&window](const char* name) { return window.findChild<QDockWidget*>(name); };
   const int width = window.width(), height = window.height();
   const int left = std::clamp(static_cast<int>(0.27 * width), 240, 620);
@@ -75,10 +83,6 @@ void layOutDocks(QMainWindow& window) {
     for (auto* tabs : window.findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly))
       tabs->setStyleSheet(
           "QTabBar { font-size: 9pt; } QTabBar::tab { padding: 4px 3px; }");  // four names fit
-  }
-  for (const char* name : {"occlusion", "errors"}) {  // always in view, so never scrolled
-    QWidget& panel = *dock(name)->widget();
-    panel.setMinimumHeight(height < kRoomForTwo ? 0 : panel.sizeHint().height());
   }
   const int occlusion = dock("occlusion")->sizeHint().height(), errors = dock("errors")->sizeHint().height();
   const int rest =

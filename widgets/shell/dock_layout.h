@@ -5,6 +5,9 @@ class QMainWindow;
 
 namespace capstan::widgets {
 
+/// Keeps the panels of occlusion and errors so high that they are not scrolled, except in a low window.
+void keepWhole(QMainWindow& window);
+
 /// Divides the window among cameras, scene and panels; in a low window docks become tabs of one place. For
 /// users without a saved layout.
 void layOutDocks(QMainWindow& window);

@@ -11,6 +11,7 @@
 #include <QStandardPaths>
 #include <QStatusBar>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/recording/session_file.h"
@@ -119,8 +120,7 @@ QMenuBar* MainWindow::addBars() {
 
 void MainWindow::showEvent(QShowEvent* event) {
   QMainWindow::showEvent(event);
-  if (laid_out_) return;
-  laid_out_ = true;
+  if (std::exchange(laid_out_, true)) return keepWhole(*this);
   layOutDocks(*this);
 }
 

@@ -5,11 +5,11 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/live/recorder_options.h"
 #include "core/recording/disk_space.h"
 #include "core/recording/recover.h"
 #include "core/recording/session_file.h"
 #include "core/tracking/make_pipeline.h"
-#include "widgets/shell/recorder_options.h"
 
 namespace capstan::widgets {
 
@@ -174,7 +174,7 @@ void SessionLink::toggleRecording(const QString& folder) {
     QDir().mkpath(folder);
     runner_->startRecording(file.toStdString(),
                             recording::headerOf(runner_->info(), now.toString(Qt::ISODate).toStdString()),
-                            recorderOptionsFor(runner_->info(), runner_->status()));
+                            live::recorderOptionsFor(runner_->info(), runner_->status()));
   } catch (const base::InputError& error) {
     Q_EMIT failed(QString::fromStdString(error.what()));
   }

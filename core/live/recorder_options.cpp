@@ -1,10 +1,10 @@
-#include "widgets/shell/recorder_options.h"
+#include "core/live/recorder_options.h"
 
 #include <algorithm>
 
 #include "core/tracking/make_pipeline.h"
 
-namespace capstan::widgets {
+namespace capstan::live {
 
 namespace {
 
@@ -13,8 +13,7 @@ constexpr double kFastest = 60.0;   ///< rate of image pairs for which kLeastTim
 
 }  // namespace
 
-recording::RecorderOptions recorderOptionsFor(const tracking::SourceInfo& info,
-                                              const live::RunStatus& status) {
+recording::RecorderOptions recorderOptionsFor(const tracking::SourceInfo& info, const RunStatus& status) {
   recording::RecorderOptions options;
   const double pace = std::max(1.0, status.speed);
   const double frames = std::max(1.0 / tracking::trackingOptionsOf(info).camera_period, status.frame_rate);
@@ -22,9 +21,10 @@ recording::RecorderOptions recorderOptionsFor(const tracking::SourceInfo& info,
   options.motor_rate = pace * std::max(options.motor_rate, status.motor_rate);
   options.buffered_time =
       std::clamp(kLeastTime * kFastest / options.frame_rate, kLeastTime, options.buffered_time);
+  options.wait = info.sender_waits;
   options.width = info.rig ? std::max(info.rig->left.width, info.rig->right.width) : 0;
   options.height = info.rig ? std::max(info.rig->left.height, info.rig->right.height) : 0;
   return options;
 }
 
-}  // namespace capstan::widgets
+}  // namespace capstan::live
