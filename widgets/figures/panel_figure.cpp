@@ -242,15 +242,24 @@ void PanelFigure::label(const Panel& panel, bool lowest, bool one_label) {
   panel.axes->setMinimumMargins(QMargins(4, 3, static_cast<int>(0.9 * height), 3));
 }
 
-/// Cuts a y label that is longer than its axis, which would overlap the header, to its unit; in a window that
-/// is too low for the unit, to its name.
-void PanelFigure::fitYLabel(const Panel& panel) const {
+/// Cuts the y labels to their units where one is longer than its axis, and would overlap the header; in a
+/// window that is too low for the units, to their names.
+void PanelFigure::fitYLabels() const {
   const QFontMetricsF metrics(textFont(scale_.tick));
-  const int bracket = panel.y_label.lastIndexOf(QLatin1Char('['));
-  const QString name = panel.y_label.left(bracket).trimmed(), unit = panel.y_label.mid(bracket);
-  for (const QString& words : {panel.y_label, unit, name}) {
-    panel.axes->axis(QCPAxis::atLeft)->setLabel(words);
-    if (metrics.horizontalAdvance(words) <= panel.axes->height()) break;
+  using Cut = QString (*)(const QString& label);
+  const Cut whole = [](const QString& label) { return label; };
+  const Cut unit = [](const QString& label) { return label.mid(label.lastIndexOf(QLatin1Char('['))); };
+  const Cut name = [](const QString& label) {
+    return label.left(label.lastIndexOf(QLatin1Char('['))).trimmed();
+  };
+  for (const Cut words : {whole, unit, name}) {
+    bool fits = true;
+    for (const std::size_t i : shown_) {
+      const QString label = words(panels_[i].y_label);
+      panels_[i].axes->axis(QCPAxis::atLeft)->setLabel(label);
+      fits = fits && metrics.horizontalAdvance(label) <= panels_[i].axes->height();
+    }
+    if (fits) break;
   }
 }
 
@@ -273,7 +282,7 @@ void PanelFigure::fitTicks() {
   }
   layOutPanels();
   if (sharesX()) balanceRows();
-  for (const std::size_t i : shown_) fitYLabel(panels_[i]);
+  fitYLabels();
   layOutPanels();
 }
 

@@ -97,7 +97,7 @@ class PanelFigure : public QCustomPlot, public Figure {
   void balanceRows();
   void label(const Panel& panel, bool lowest, bool one_label);
   void fitLabels(bool one_label);
-  void fitYLabel(const Panel& panel) const;
+  void fitYLabels() const;
   void fitTicks();
   void hideOthers();
 
