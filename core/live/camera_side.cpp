@@ -257,43 +257,43 @@ CameraSide::Clock::time_point CameraSide::computerTime(double pairing_time) cons
                       std::chrono::duration<double>(clock_.computerTime(pairing_time)));
 }
 
-/// Adds a stamp to what is known of its clock. Returns its time on this computer's clock, if it is since 1970
-/// on a clock that agrees with this computer's.
-std::optional<CameraSide::Clock::time_point> CameraSide::observeStamp(std::int64_t stamp,
-                                                                      Clock::time_point by_arrival) {
+/// Time of a stamp on this computer's clock, if it is since 1970 on a clock that agrees with this computer's.
+CameraSide::Clock::time_point CameraSide::onComputer(std::int64_t stamp) {
   using Nanoseconds = std::chrono::nanoseconds;
   constexpr std::chrono::milliseconds kStep{100};
   const Nanoseconds since = std::chrono::system_clock::now().time_since_epoch() -
                             std::chrono::round<Nanoseconds>(Clock::now().time_since_epoch());
   if (since - computer_since_ > kStep || computer_since_ - since > kStep) ++computer_steps_;
   computer_since_ = since;
-  const Clock::time_point by_stamp(std::chrono::round<Clock::duration>(Nanoseconds(stamp) - since));
-  const auto seconds = [](auto duration) { return std::chrono::duration<double>(duration).count(); };
-  const bool agree = with_computer_.add(seconds(by_arrival - by_stamp), clock_.steps() + computer_steps_,
-                                        seconds(by_arrival - start_));
-  return agree ? std::optional(by_stamp) : std::nullopt;
+  return Clock::time_point(std::chrono::round<Clock::duration>(Nanoseconds(stamp) - since));
 }
 
-/// Time of a pair on the session's clock [s]. Stamps tell it where they are by the clock of the motors'
-/// stamps or of this computer, and the arrivals only show whether the clocks agree: by them an image is later
-/// by its delay.
+/// Time of a pair on the session's clock [s]; nothing while it is not known. Stamps tell it where they are by
+/// the clock of the motors' stamps or of this computer, and the arrivals only show whether the clocks agree:
+/// by them an image is later by its delay.
 std::optional<double> CameraSide::observeExposure(const FramePair& pair) {
   using By = tracking::SideStatus::Times;
+  using Verdict = ClockAgreement::Verdict;
   if (files_) return status_.times = By::kFile, pair.t;
   status_.times = By::kArrivals;
   const Clock::time_point arrival = computerTime(pair.t);
   const std::optional<double> by_arrival = session_.at(arrival);
   const std::optional<std::int64_t> stamp = clock_.stampOf(pair.t);
   if (!stamp || !by_arrival) return by_arrival;
-  const std::optional<Clock::time_point> on_computer = observeStamp(*stamp, arrival);
+  const Clock::time_point on_computer = onComputer(*stamp);
+  const double late = std::chrono::duration<double>(arrival - on_computer).count();
+  const Verdict computer = with_computer_.add(late, clock_.steps() + computer_steps_, *by_arrival);
   const std::optional<double> by_stamp = session_.of_stamp ? session_.of_stamp(*stamp) : std::nullopt;
-  if (!by_stamp)
+  Verdict motors = Verdict::kDiffer;
+  if (by_stamp)
+    motors = with_motors_.add(*by_arrival - *by_stamp, clock_.steps(), *by_arrival);
+  else
     with_motors_.forget();
-  else if (with_motors_.add(*by_arrival - *by_stamp, clock_.steps(), *by_arrival))
-    return status_.times = By::kStamps, by_stamp;
-  if (!on_computer) return by_arrival;
+  if (motors == Verdict::kDiffer && computer == Verdict::kDiffer) return by_arrival;
   status_.times = By::kStamps;
-  return session_.at(*on_computer);
+  if (motors == Verdict::kAgree) return by_stamp;
+  if (computer == Verdict::kAgree) return session_.at(on_computer);
+  return std::nullopt;
 }
 
 void CameraSide::take(int stream, const cv::Mat& image, const Times& times, std::uint64_t lost) {

@@ -74,7 +74,7 @@ class CameraSide {
   bool anyWaits(int stream, const Times& times);
   double pairingTime(int stream, const Times& times);
   Clock::time_point computerTime(double pairing_time) const;
-  std::optional<Clock::time_point> observeStamp(std::int64_t stamp, Clock::time_point by_arrival);
+  Clock::time_point onComputer(std::int64_t stamp);
   std::optional<double> observeExposure(const FramePair& pair);
   void pass(FramePair pair, Clock::time_point arrival);
   void waitToReopen() const;
