@@ -22,9 +22,7 @@ namespace fs = std::filesystem;
 /// Capacity for a recording: points of 35 minutes at 1 kHz.
 constexpr std::size_t kRecordingCapacity = std::size_t{1} << 21;
 
-bool occluded(const tracking::Snapshot& s) {
-  return tracking::markerLost(s) || (s.camera_samples > 0 && s.gate == tracking::Gate::kNoCamera);
-}
+bool occluded(const tracking::Snapshot& s) { return tracking::markerLost(s) || tracking::cameraSilent(s); }
 
 [[noreturn]] void refuse(const std::string& file, std::string key, std::string value, std::string reason,
                          std::string remedy) {

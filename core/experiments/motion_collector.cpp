@@ -68,9 +68,8 @@ void SessionMotion::take(const tracking::Snapshot& s) {
     (void)due_.due(points_.back().t);
     if (!due_.due(s.t)) return;
   }
-  const bool silent = s.camera_samples > 0 && s.gate == tracking::Gate::kNoCamera;
   points_.push_back({s.t, reference_ ? s.q_link_true : noJoints(), s.q_link_kin, seen_, s.q_link_ukf,
-                     s.q_link_ukf_sigma, tracking::markerLost(s) || silent});
+                     s.q_link_ukf_sigma, tracking::markerLost(s) || tracking::cameraSilent(s)});
   seen_ = noJoints();
 }
 

@@ -32,6 +32,7 @@ FeedTracking trackingOf(tracking::Gate gate) {
     case Gate::kUnreachable:
     case Gate::kJump:
     case Gate::kExchanged:
+    case Gate::kLate:
       return FeedTracking::kRejected;
     default:
       return FeedTracking::kOccluded;

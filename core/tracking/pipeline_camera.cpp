@@ -106,7 +106,7 @@ void TrackingPipeline::Impl::observeTip(const Vector3d& tip, const Matrix3d& cov
   const auto kinematic = kinematicAt(t);
   const auto state = filter_.at(t);
   if (!started_ || !kinematic || !state) {
-    snapshot_.gate = Gate::kNoCamera;
+    snapshot_.gate = started_ && t < snapshot_.t ? Gate::kLate : Gate::kNoCamera;
     return;
   }
   auto seen = observeJoints(arm_, tip, covariance, *kinematic);
@@ -136,7 +136,7 @@ void TrackingPipeline::Impl::observeTip(const Vector3d& tip, const Matrix3d& cov
   if (!accepted) return;
   if (whole && t >= corrected_since_) learnTransmission(*slow);
   if (!filter_.update(t, positions_, seen->position, root)) {
-    snapshot_.gate = Gate::kNoCamera;
+    snapshot_.gate = Gate::kLate;
     return;
   }
   if (whole != nis_of_transmission_) nis_.reset();
@@ -259,6 +259,7 @@ void TrackingPipeline::Impl::endCamera() {
     last_camera_ = snapshot_.t;
   else if (started_)
     ++snapshot_.late_dropped;
+  if (snapshot_.gate == Gate::kLate) last_late_ = snapshot_.t;
   snapshot_.nis_mean = nis_.mean();
   snapshot_.nis_consistent = nis_.consistent();
   if (started_) showEstimate();

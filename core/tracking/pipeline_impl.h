@@ -219,6 +219,7 @@ class TrackingPipeline::Impl {
     jump_.reset();
     ray_jump_.reset();
     last_camera_ = last_kinematic_ = last_seen_ = t;
+    last_late_ = kNever;
     started_ = true;
   }
 
@@ -266,9 +267,10 @@ class TrackingPipeline::Impl {
     return slow_ ? slow_->corrected(kinematic) : kinematic;
   }
 
-  /// Handles a silent camera: observes q_kin at the camera's rate.
+  /// Handles a camera without samples, or with such that are too late: observes q_kin at the camera's rate.
   void watchSilence(double t) {
-    snapshot_.gate = Gate::kNoCamera;
+    constexpr double kLateAgo = 1.0;  // [s]
+    snapshot_.gate = t - last_late_ < kLateAgo ? Gate::kLate : Gate::kNoCamera;
     if (t - last_kinematic_ >= options_.camera_period) (void)observeKinematics(t);
   }
 
@@ -335,7 +337,9 @@ class TrackingPipeline::Impl {
   Snapshot snapshot_;
   RememberedCables cables_before_;
   double last_camera_ = 0.0, last_kinematic_ = 0.0;  ///< arrival of their last update, motors' clock [s]
-  double last_seen_ = 0.0;                           ///< exposure of the newest tip that was accepted [s]
+  static constexpr double kNever = -std::numeric_limits<double>::infinity();
+  double last_late_ = kNever;  ///< arrival of the last camera sample that was too late [s]
+  double last_seen_ = 0.0;     ///< exposure of the newest tip that was accepted [s]
   /// Time from which the correction in use holds [s].
   double corrected_since_ = -std::numeric_limits<double>::infinity();
   double reference_time_ = 0.0;

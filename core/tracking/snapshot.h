@@ -14,7 +14,8 @@ namespace capstan::tracking {
 
 /// Reason why the filter observes transmission kinematics instead of the camera (UKF paper, section V-D);
 /// kOpen: it observes the camera.
-/// kExchanged: the left image is the right camera's, and the other way round.
+/// kExchanged: the left image is the right camera's, and the other way round. kLate: camera samples come, but
+/// are older than the filter's memory.
 enum class Gate {
   kOpen,
   kNoCamera,
@@ -24,7 +25,8 @@ enum class Gate {
   kUnreachable,
   kJump,
   kUnregistered,
-  kExchanged
+  kExchanged,
+  kLate
 };
 
 /// Reason why a motor's encoder is not used; its joint is then estimated without it.
@@ -119,7 +121,8 @@ struct capstan::base::NamesOf<capstan::tracking::Gate> {
                                        std::pair{G::kUnreachable, "tip out of reach"},
                                        std::pair{G::kJump, "marker jumped"},
                                        std::pair{G::kUnregistered, "not registered"},
-                                       std::pair{G::kExchanged, "left and right camera exchanged"}};
+                                       std::pair{G::kExchanged, "left and right camera exchanged"},
+                                       std::pair{G::kLate, "images too late"}};
 };
 
 namespace capstan::tracking {
@@ -134,8 +137,14 @@ inline std::string_view gateWords(const Snapshot& s) {
     if (s.gate == Gate::kBothLost) return "tip not seen";
     if (s.gate == Gate::kNoCamera) return "no tips";
     if (s.gate == Gate::kJump) return "tip jumped";
+    if (s.gate == Gate::kLate) return "tips too late";
   }
   return base::nameOf(s.gate);
+}
+
+/// True if the filter has no camera sample to use: none comes, or all are too late.
+inline bool cameraSilent(const Snapshot& s) {
+  return s.camera_samples > 0 && (s.gate == Gate::kNoCamera || s.gate == Gate::kLate);
 }
 
 /// True if the marker is hidden from a camera in the newest sample.
@@ -156,5 +165,6 @@ struct capstan::base::KeysOf<capstan::tracking::Gate> {
                                        std::pair{G::kUnreachable, "out_of_reach"},
                                        std::pair{G::kJump, "marker_jumped"},
                                        std::pair{G::kUnregistered, "not_registered"},
-                                       std::pair{G::kExchanged, "cameras_exchanged"}};
+                                       std::pair{G::kExchanged, "cameras_exchanged"},
+                                       std::pair{G::kLate, "too_late"}};
 };

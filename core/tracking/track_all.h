@@ -20,7 +20,7 @@ struct TrackReport {
   ErrorTable errors;
   std::uint64_t motor_samples = 0;
   std::uint64_t camera_samples = 0;           ///< number of frames and tip samples
-  std::array<std::uint64_t, 9> gates{};       ///< number of camera samples by Gate
+  std::array<std::uint64_t, 10> gates{};      ///< number of camera samples by Gate
   std::array<std::uint64_t, 2> detected{};    ///< number of frames with a marker: left, right
   std::array<std::uint64_t, 2> full_frame{};  ///< number of them found by the full-frame search
   std::uint64_t frames = 0;                   ///< number of camera samples with images

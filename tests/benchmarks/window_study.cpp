@@ -1,7 +1,7 @@
-// window_study [--seconds 60] [--cycles 50] [--points 1000000]: the window at full load in a real display:
-// 2 × 30 frames per second, 1 kHz motors, recording, the scene, plots with as many points a curve. Frame
-// rate, time between frames, input to paint, samples lost, time by thread; then the memory over cycles of
-// opening a recording and closing it, and over running.
+// window_study [--seconds 60] [--cycles 50] [--session FILE] [--points 1000000]: the window at full load in a
+// real display: 2 × 30 frames per second, 1 kHz motors, recording, the scene, plots with as many points a
+// curve. Frame rate, time between frames, input to paint, samples lost, time by thread; then the memory over
+// cycles of opening a recording and closing it, and over running.
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -217,11 +217,16 @@ bool cycle(MainWindow& window, const QString& file, int most) {
   return played;
 }
 
-void memory(const QString& folder, int cycles, double minutes) {
+QString tenMinutes(const QString& folder) {
   const QString file = folder + "/ten_minutes.capstan";
   const std::string command = test::commandLineProgram() + " simulate --duration 600 --out " +
                               file.toStdString() + " 2>/dev/null >/dev/null";
-  if (cycles > 0 && std::system(command.c_str()) != 0) return void(std::printf("no recording was made\n"));
+  return std::system(command.c_str()) == 0 ? file : QString();
+}
+
+void memory(const QString& folder, QString file, int cycles, double minutes) {
+  if (cycles > 0 && file.isEmpty()) file = tenMinutes(folder);
+  if (cycles > 0 && file.isEmpty()) return void(std::printf("no recording was made\n"));
   MainWindow window(folder + "/settings.ini");
   window.resize(1280, 800);
   window.show();
@@ -261,16 +266,18 @@ void memory(const QString& folder, int cycles, double minutes) {
 int main(int argc, char** argv) {
   double seconds = 60.0, minutes = 30.0;
   int cycles = 50, points = 1'000'000;
+  std::string session;
   CLI::App options("The window at full load, and its memory");
   options.add_option("--seconds", seconds, "of full load; 0: none");
   options.add_option("--points", points, "points a curve");
   options.add_option("--cycles", cycles, "of opening a recording");
+  options.add_option("--session", session, "that recording; default: one of ten minutes is simulated");
   options.add_option("--minutes", minutes, "of running; 0: none");
   CLI11_PARSE(options, argc, argv);
   Watch app(argc, argv);
   app.clock.start();
   const QTemporaryDir folder;
   if (seconds > 0.0) load(app, folder.path(), seconds, points);
-  memory(folder.path(), cycles, minutes);
+  memory(folder.path(), QString::fromStdString(session), cycles, minutes);
   return 0;
 }

@@ -34,10 +34,11 @@ TEST(PipelineClock, CamerasThatAreAlwaysTooLateLeaveKinematicsObserved) {
     if (s.t > 1.0) worst = std::max(worst, jointError(s));
     if (!s.camera_updated) return;
     ++cameras;
-    EXPECT_EQ(s.gate, Gate::kNoCamera);
+    EXPECT_EQ(s.gate, Gate::kLate);
   });
   ASSERT_GT(cameras, 60);
   EXPECT_EQ(report.late_dropped, report.camera_samples);
+  EXPECT_EQ(report.gates[static_cast<std::size_t>(Gate::kLate)], report.camera_samples) << "not: no camera";
   EXPECT_NEAR(updates, 15.0 * (report.last_t - report.first_t), 6.0);
   EXPECT_LT(base::toDegrees(worst), 0.3);
 }
