@@ -48,11 +48,12 @@ SceneView::~SceneView() {
   RenderThread::run([this] { renderer_.reset(); });
 }
 
-void SceneView::makeRenderer() {
-  has_renderer_ = true;
+/// The renderer stays for another robot: OpenGL contexts are dear.
+void SceneView::configure() {
+  configured_ = true;
   RenderThread::post([this, theme = theme_, arm = shapeOf(*robot_), grid = grid_, rig = rig_,
                       base_from_camera = base_from_camera_] {
-    renderer_ = std::make_unique<SceneRenderer>();
+    if (!renderer_) renderer_ = std::make_unique<SceneRenderer>();
     renderer_->setTheme(theme);
     renderer_->setArm(arm);
     renderer_->setGrid(grid);
@@ -62,7 +63,7 @@ void SceneView::makeRenderer() {
 
 void SceneView::setTheme(const Theme& theme) {
   theme_ = theme;
-  if (has_renderer_) RenderThread::post([this, theme] { renderer_->setTheme(theme); });
+  if (configured_) RenderThread::post([this, theme] { renderer_->setTheme(theme); });
   changed();
 }
 
@@ -76,7 +77,7 @@ void SceneView::setRobot(const robot::Description& robot, const std::optional<vi
   trail_.clear();
   snapshot_.reset();
   tension_.reset();
-  if (std::exchange(has_renderer_, false)) RenderThread::post([this] { renderer_.reset(); });
+  configured_ = false;
   clear();
   setRegistration(base_from_camera);
   resetCamera();
@@ -88,7 +89,7 @@ void SceneView::setRegistration(const std::optional<Eigen::Isometry3d>& base_fro
   if (rig_ && base_from_camera_)
     captions_.cameras = {base_from_camera_->translation(),
                          (*base_from_camera_ * rig_->right_from_left.inverse()).translation()};
-  if (has_renderer_)
+  if (configured_)
     RenderThread::post([this, rig = rig_, base_from_camera] { renderer_->setRig(rig, base_from_camera); });
   changed();
 }
@@ -165,7 +166,7 @@ ScenePose SceneView::pose() {
 
 SceneView::Drawing SceneView::drawing() {
   if (!robot_ || !available()) return {};
-  if (!has_renderer_) makeRenderer();
+  if (!configured_) configure();
   return [this, pose = pose()](const OrbitCamera& camera, const QSize& size) {
     renderer_->pose(pose);
     return renderer_->render(camera, size);

@@ -52,14 +52,14 @@ class SceneView : public RenderedView {
     Eigen::Vector3d tip;
   };
   Drawing drawing() override;
-  void makeRenderer();
+  void configure();
   ScenePose pose();
   void keepTrail(const tracking::Snapshot& snapshot);
   void chooseEllipsoidScale();
 
   Theme theme_ = Theme::dark();
   std::unique_ptr<SceneRenderer> renderer_;  ///< for the RenderThread only
-  bool has_renderer_ = false;                ///< after the tasks that were posted
+  bool configured_ = false;  ///< the renderer has this robot, after the tasks that were posted
   std::optional<robot::Description> robot_;
   std::optional<robot::ArmKinematics> arm_;
   std::optional<vision::StereoRig> rig_;
