@@ -42,7 +42,7 @@ void RowSide::rethrow() const {
 tracking::SideStatus RowSide::status() const {
   const std::lock_guard lock(mutex_);
   tracking::SideStatus status = status_;
-  if (status.received > 0) status.silent_for = now() - last_arrival_;
+  if (status.received > 0 && !held_up_) status.silent_for = now() - last_arrival_;
   if (status.state == State::kReceiving && status.silent_for > tracking::SideStatus::kSilence)
     status.state = State::kSilent;
   return status;
@@ -181,7 +181,7 @@ void RowSide::deliver(recording::MeasuredTable table, double arrival) {
   recording::RowSamples rows;
   for (tracking::Sample sample; rows.next(table, sample);) {
     if (faults_ == Faults::kEnd)
-      queue_.wait(std::move(sample));
+      held_up_ = true, queue_.wait(std::move(sample)), held_up_ = false;
     else if (!queue_.offer(std::move(sample)))
       ++dropped;
   }
@@ -202,7 +202,7 @@ void RowSide::deliver(recording::MeasuredTable table, double arrival) {
   status_.dropped += dropped;
   status_.repeated = times_.repeated();
   status_.missing = gaps_.missing();
-  last_arrival_ = arrival;
+  last_arrival_ = faults_ == Faults::kEnd ? now() : arrival;  // they may have waited for room
   if (faults_ == Faults::kEnd) return;
   status_.clock = tracking::SideClock{
       times_.steps(), times_.lastStep(),         clock_.offset(),   clock_.offsetUncertainty(),

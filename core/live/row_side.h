@@ -82,6 +82,7 @@ class RowSide {
   bool first_known_ = false, ended_ = false;
   bool motors_judged_ = false;  ///< those of the program that is connected
   std::atomic<bool> quit_{false};
+  std::atomic<bool> held_up_{false};  ///< waits for room in the queue: the sender is not silent
 
   mutable std::mutex mutex_;  ///< protects the members below
   tracking::SideStatus status_;
