@@ -27,6 +27,9 @@ class RosRows final : public RowInput {
   void refuse(const std::string&) override { received_.clear(), received_encoders_.clear(); }
   void checkOrder(const recording::MeasuredTable&) override {}
   std::optional<std::string> hint() override { return hint_.ask(); }
+  LostMessages lost() const override {
+    return {motors_.lost(), encoders_ ? encoders_->lost() : std::uint64_t{0}};
+  }
   std::optional<std::int64_t> rosStampOfZero() const override {
     return origin_ == 0 ? std::nullopt : std::optional(origin_);
   }

@@ -149,7 +149,8 @@ void RowSide::pass(recording::MeasuredTable table) {
 }
 
 /// Waits for a row that comes faster than real time, and meanwhile reads no further, so that its sender has
-/// to wait, too. Returns the time at the end.
+/// to wait, too. The publisher of a ROS topic does not wait: what comes meanwhile may be lost (noteLost()).
+/// Returns the time at the end.
 double RowSide::waitUntilDue(double stamp) {
   constexpr double kNap = 0.05;  // [s]; shorter ones would divide the rows into too many parts
   double arrival = now();
@@ -187,6 +188,7 @@ void RowSide::deliver(recording::MeasuredTable table, double arrival) {
   }
   const std::lock_guard lock(mutex_);
   if (std::exchange(clock_steps_, times_.steps()) != times_.steps()) clock_.forget();
+  noteLost();
   if (const auto zero = input_->rosStampOfZero())
     ros_stamp_of_begin_ = *zero - ros1::nanosecondsOf(times_.offset());
   for (const double t : table.t) {
@@ -207,6 +209,13 @@ void RowSide::deliver(recording::MeasuredTable table, double arrival) {
   status_.clock = tracking::SideClock{
       times_.steps(), times_.lastStep(),         clock_.offset(),   clock_.offsetUncertainty(),
       clock_.drift(), clock_.driftUncertainty(), clock_.meanDelay()};
+}
+
+/// Messages that the input has lost are dropped rows, and no missing ones.
+void RowSide::noteLost() {
+  const LostMessages before = std::exchange(lost_, input_->lost());
+  gaps_.credit(lost_.rows - before.rows);
+  status_.dropped += lost_.rows - before.rows + lost_.encoders - before.encoders;
 }
 
 void RowSide::refuse(const std::string& reason) {

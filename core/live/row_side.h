@@ -67,6 +67,7 @@ class RowSide {
   double waitUntilDue(double stamp);
   void deliverKept(recording::MeasuredTable table, std::vector<bool>& keep, double arrival);
   void deliver(recording::MeasuredTable table, double arrival);
+  void noteLost();
   void refuse(const std::string& reason);
   double now() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
 
@@ -87,6 +88,7 @@ class RowSide {
   mutable std::mutex mutex_;  ///< protects the members below
   tracking::SideStatus status_;
   GapCounter gaps_;                                 ///< in the session's times
+  LostMessages lost_;                               ///< of the input, that status_ and gaps_ know
   ClockMap clock_;                                  ///< from the session's clock to this computer's
   double begin_ = 0.0, newest_ = 0.0;               ///< time of the first and the newest row [s]
   std::uint64_t clock_steps_ = 0;                   ///< of times_ that clock_ knows

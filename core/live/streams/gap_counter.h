@@ -28,11 +28,14 @@ class GapCounter {
     last_ = t;
     if (count_++ == 0 || interval <= 0.0) return;
     span_ += std::min(interval, kSilence);
+    if (period_ == 0.0 || interval > kSilence) credit_ = 0;
     if (interval > kSilence) return settle();
     if (period_ > 0.0) judge(std::round(interval / period_));
     intervals_[learned_++] = interval;
     if (learned_ == kLearned) learn();
   }
+  /// The next gaps have `lost` samples that came and were lost here: they are counted elsewhere.
+  void credit(std::uint64_t lost) { credit_ += lost; }
   /// Samples missing so far; those of the newest gap may still come late.
   std::uint64_t missing() const { return missing_ + gap_; }
 
@@ -45,9 +48,11 @@ class GapCounter {
       return;
     }
     regular_ = 0;
-    if (periods > 1.0)
-      gap_ += static_cast<std::uint64_t>(periods) - 1;
-    else if (gap_ > 0)
+    if (periods > 1.0) {
+      const auto absent = static_cast<std::uint64_t>(periods) - 1, known = std::min(absent, credit_);
+      credit_ -= known;
+      gap_ += absent - known;
+    } else if (gap_ > 0)
       --gap_;
   }
 
@@ -78,8 +83,9 @@ class GapCounter {
   std::size_t learned_ = 0, block_ = 0;
   double last_ = 0.0, period_ = 0.0, span_ = 0.0;
   std::uint64_t count_ = 0, missing_ = 0;
-  std::uint64_t gap_ = 0;  ///< samples of the newest gaps that have not come late
-  int regular_ = 0;        ///< intervals of one period in turn
+  std::uint64_t gap_ = 0;     ///< samples of the newest gaps that have not come late
+  std::uint64_t credit_ = 0;  ///< of credit(), not found in a gap yet
+  int regular_ = 0;           ///< intervals of one period in turn
 };
 
 }  // namespace capstan::live
