@@ -40,6 +40,9 @@ std::vector<std::string> SideWatch::observe(const std::vector<SideStatus>& sides
       sentences.push_back(sentenceOf(side, seen.received > 0 ? seen.silent_for : 0.0));
     if (side.clock && side.clock->steps > seen.steps)
       sentences.push_back(fmt::format("{}: clock stepped by {:+.3f} s", side.name, side.clock->last_step));
+    const std::string unmatched = unmatchedText(side);
+    if (!unmatched.empty() && unmatched != seen.unmatched) sentences.push_back(unmatched);
+    seen.unmatched = unmatched;
     seen.silent_for = side.state == State::kReceiving ? 0.0 : std::max(seen.silent_for, side.silent_for);
     seen.state = side.state, seen.part = side.part, seen.received = side.received;
     seen.refused = side.refused, seen.fault = side.fault, seen.reason = side.reason;

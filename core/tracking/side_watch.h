@@ -19,6 +19,7 @@ class SideWatch {
     SideStatus::State state = SideStatus::State::kWaiting;
     std::string part, fault, reason;
     std::uint64_t steps = 0, received = 0, refused = 0;
+    std::string unmatched;
     double silent_for = 0.0;  ///< longest time in the present silence [s]
   };
   std::vector<Seen> seen_;

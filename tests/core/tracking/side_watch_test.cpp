@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/tracking/side_text.h"
+
 namespace capstan::tracking {
 namespace {
 
@@ -65,6 +67,19 @@ TEST_F(SideWatchTest, SaysARefusalThatWasTooShortToBeSeen) {
   EXPECT_EQ(observe(State::kRefused), Sentences{}) << "the same again";
   side_.refused = 4, side_.fault = "line 9 is no row";
   EXPECT_EQ(observe(State::kRefused), Sentences{"motors refused: line 9 is no row"}) << "another one";
+}
+
+TEST_F(SideWatchTest, SaysOnceThatEncodersDoNotMatch) {
+  observe(State::kReceiving);
+  side_.unmatched = 3;
+  EXPECT_EQ(observe(State::kReceiving), Sentences{}) << "some messages were lost";
+  side_.unmatched = 50;
+  const Sentences said = observe(State::kReceiving);
+  ASSERT_EQ(said.size(), 1U);
+  EXPECT_NE(said[0].find("publish both with the stamp of one cycle"), std::string::npos) << said[0];
+  EXPECT_EQ(shortTextOf(side_), said[0]) << "also in the status line";
+  side_.unmatched = 1000;
+  EXPECT_EQ(observe(State::kReceiving), Sentences{});
 }
 
 TEST_F(SideWatchTest, NamesTheCameraAndTheStepOfAClock) {
