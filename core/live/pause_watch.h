@@ -33,6 +33,8 @@ class PauseWatch {
     said_ = false;
     return fmt::format("running again after {:.1f} s", std::chrono::duration<double>(now - since_).count());
   }
+  /// observe() says again that the session is paused, if it is: for a recording that begins.
+  void restate() { said_ = false; }
 
  private:
   bool sender_waits_, has_run_ = false, said_ = false;

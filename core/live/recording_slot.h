@@ -17,7 +17,8 @@
 namespace capstan::live {
 
 /// Holder of the recorder to which the pipeline's thread writes, if any. Notes as events what changes at the
-/// sides of a live source, whether its cameras are used, and its pauses. Former recorders are closed in the
+/// sides of a live source, whether its cameras are used, and its pauses; also how these are when a recording
+/// begins. Former recorders are closed in the
 /// background.
 class RecordingSlot {
  public:
@@ -36,6 +37,7 @@ class RecordingSlot {
     end();
     recorder_ = std::move(recorder);
     estimates_.restart();
+    sides_.restate(), gate_.restate(), pauses_.restate();
     const std::lock_guard lock(mutex_);
     newest_ = recorder_;
   }

@@ -13,6 +13,8 @@ class SideWatch {
   /// Sentences about what has changed since the last call, as "motors silent" or "motors receiving again
   /// after 2.1 s". Without a change: none.
   std::vector<std::string> observe(const std::vector<SideStatus>& sides);
+  /// The next call of observe() states the present state of every side: for a recording that begins.
+  void restate() { restate_ = true; }
 
  private:
   struct Seen {
@@ -23,6 +25,7 @@ class SideWatch {
     double silent_for = 0.0;  ///< longest time in the present silence [s]
   };
   std::vector<Seen> seen_;
+  bool restate_ = false;
 };
 
 }  // namespace capstan::tracking

@@ -15,10 +15,9 @@ namespace {
 
 using namespace recording::testing;
 using namespace std::chrono_literals;
-using testing::Contains;
 using testing::ElementsAre;
-using testing::HasSubstr;
 using testing::MatchesRegex;
+using testing::UnorderedElementsAre;
 
 /// A robot whose motor samples the test sends, one each millisecond.
 class Robot {
@@ -103,8 +102,11 @@ class LiveRunner : public ::testing::Test {
   }
   std::vector<std::string> eventsAfterwards() {
     runner_.reset();
+    return eventsOf("a.capstan");
+  }
+  std::vector<std::string> eventsOf(const char* file) const {
     std::vector<std::string> events;
-    for (const auto& event : recording::readSessionEvents(folder_ / "a.capstan"))
+    for (const auto& event : recording::readSessionEvents(folder_ / file))
       events.push_back(fmt::format("{:.3f} {}: {}", event.t, event.kind, event.text));
     return events;
   }
@@ -149,6 +151,35 @@ TEST_F(LiveRunner, APauseDiscardsNothingOfASenderThatWaits) {
   EXPECT_EQ(runner_->report().motor_samples, 400U);
   EXPECT_THAT(eventsAfterwards(), ElementsAre("0.100 session: paused: the sender waits",
                                               MatchesRegex("0.101 session: running again after [0-9.]+ s")));
+}
+
+/// Cameras that were silent, and a pause, since before the recording began.
+TEST_F(LiveRunner, ARecordingBeginsWithThePresentState) {
+  using State = tracking::SideStatus::State;
+  tracking::SideStatus motors, cameras;
+  motors.name = "motors", motors.state = State::kReceiving, motors.received = 100;
+  cameras.name = "cameras", cameras.state = State::kSilent, cameras.received = 7;
+  cameras.silent_for = 65.0, cameras.part = "right";
+  robot_->setSides({motors, cameras});
+  begin(false);
+  robot_->send(100);
+  runner_->run();
+  ASSERT_TRUE(comesTo(0.1));
+  record();
+  robot_->send(100);
+  ASSERT_TRUE(comesTo(0.2));
+  runner_->pause();
+  ASSERT_TRUE(runner_->waitUntilIdle(5.0));
+  runner_->startRecording(folder_ / "b.capstan", recording::headerOf(runner_->info(), "2026-11-21"));
+  ASSERT_TRUE(runner_->waitUntilIdle(5.0));
+  std::this_thread::sleep_for(100ms);
+  EXPECT_THAT(eventsAfterwards(),
+              ElementsAre("0.100 source: motors receiving", "0.100 source: right camera silent for 65.0 s",
+                          "0.200 session: paused: samples that come are discarded"));
+  EXPECT_THAT(
+      eventsOf("b.capstan"),
+      UnorderedElementsAre("0.200 session: paused: samples that come are discarded",
+                           "0.200 source: motors receiving", "0.200 source: right camera silent for 65.0 s"));
 }
 
 }  // namespace

@@ -69,6 +69,19 @@ TEST_F(SideWatchTest, SaysARefusalThatWasTooShortToBeSeen) {
   EXPECT_EQ(observe(State::kRefused), Sentences{"motors refused: line 9 is no row"}) << "another one";
 }
 
+TEST_F(SideWatchTest, RestatesThePresentStateAndNothingOlder) {
+  observe(State::kReceiving);
+  side_.refused = 1, side_.fault = "line 7 is no row", side_.clock = SideClock{.steps = 1, .last_step = 0.5};
+  observe(State::kReceiving);
+  watch_.restate();
+  EXPECT_EQ(observe(State::kReceiving), Sentences{"motors receiving"}) << "refusal and step are of the past";
+  EXPECT_EQ(observe(State::kReceiving), Sentences{}) << "once";
+  observe(State::kSilent, 0.4);
+  watch_.restate();
+  EXPECT_EQ(observe(State::kSilent, 65.0), Sentences{"motors silent for 65.0 s"});
+  EXPECT_EQ(observe(State::kReceiving), Sentences{"motors receiving again after 65.0 s"});
+}
+
 TEST_F(SideWatchTest, SaysOnceThatEncodersDoNotMatch) {
   observe(State::kReceiving);
   side_.unmatched = 3;
