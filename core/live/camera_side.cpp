@@ -81,7 +81,7 @@ tracking::SideStatus CameraSide::status() const {
   tracking::SideStatus status = status_;
   if (status.state == State::kReceiving) judge(status);
   status.unpaired = pairer_.unpaired(), status.frozen = pairer_.frozen();
-  status.dropped += pairer_.dropped();
+  status.dropped += pairer_.dropped(), status.missing = pairer_.missing();
   if (status.state != State::kReceiving)
     status.reason = status.part.empty() ? joined(reasons_) : reasons_[status.part == "left" ? 0 : 1];
   return status;
@@ -325,8 +325,6 @@ void CameraSide::pass(FramePair pair, Clock::time_point arrival) {
   const std::optional<double> now = session_.at(arrival), seen = observeExposure(pair);
   if (!now || !seen) return;
   const double t = *seen - setup_.latency;
-  gaps_.add(t);
-  status_.missing = gaps_.missing();
   if (!queue_.offer(tracking::StereoFrame{t, *now, std::move(pair.left), std::move(pair.right), pair.skew}))
     ++status_.dropped;
 }

@@ -14,8 +14,8 @@
 #include "core/live/row_input.h"
 #include "core/live/sample_queue.h"
 #include "core/live/streams/clock_map.h"
-#include "core/live/streams/gap_counter.h"
 #include "core/live/streams/row_times.h"
+#include "core/stats/gap_counter.h"
 #include "core/tracking/source.h"
 
 namespace capstan::live {
@@ -87,7 +87,7 @@ class RowSide {
 
   mutable std::mutex mutex_;  ///< protects the members below
   tracking::SideStatus status_;
-  GapCounter gaps_;                                 ///< in the session's times
+  stats::GapCounter gaps_;                          ///< in the session's times
   LostMessages lost_;                               ///< of the input, that status_ and gaps_ know
   ClockMap clock_;                                  ///< from the session's clock to this computer's
   double begin_ = 0.0, newest_ = 0.0;               ///< time of the first and the newest row [s]

@@ -66,7 +66,8 @@ struct SideStatus {
   double silent_for = 0.0;        ///< time since the last sample, or the last new image [s]
   std::uint64_t received = 0;     ///< number taken
   std::uint64_t repeated = 0;     ///< excluded, since their stamps did not rise
-  std::uint64_t missing = 0;      ///< rows or pairs of images that never came, by the gaps in their times
+  std::uint64_t missing = 0;      ///< rows that never came, or pairs of images of which neither came, by the
+                                  ///< gaps in their times
   std::uint64_t dropped = 0;      ///< excluded, since tracking was too slow
   std::uint64_t unpaired = 0;     ///< images excluded, since the other camera gave none at their time
   std::uint64_t frozen = 0;       ///< images that equal the one before; their pairs are excluded

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace capstan::live {
+namespace capstan::stats {
 
 /// Counts the samples that are missing between those that came, from their own times: a sender with a steady
 /// period leaves a gap of two periods where one is missing. A sender that was held up stamps the rows that it
@@ -88,4 +88,4 @@ class GapCounter {
   int regular_ = 0;           ///< intervals of one period in turn
 };
 
-}  // namespace capstan::live
+}  // namespace capstan::stats
