@@ -21,6 +21,12 @@ std::string sentenceOf(const SideStatus& side, double silent_for, bool changed) 
   return shortTextOf(side);
 }
 
+/// By what images are dated; `before`: by what they were.
+std::string timesText(const SideStatus& side, std::optional<SideStatus::Times> before) {
+  return fmt::format("{}: times of the images by {}{}", side.name, base::nameOf(*side.times),
+                     before ? fmt::format(", no longer by {}", base::nameOf(*before)) : "");
+}
+
 }  // namespace
 
 std::vector<std::string> SideWatch::observe(const std::vector<SideStatus>& sides) {
@@ -43,6 +49,11 @@ std::vector<std::string> SideWatch::observe(const std::vector<SideStatus>& sides
       sentences.push_back(sentenceOf(side, seen.received > 0 ? seen.silent_for : 0.0, changed));
     if (side.clock && side.clock->steps > seen.steps)
       sentences.push_back(fmt::format("{}: clock stepped by {:+.3f} s", side.name, side.clock->last_step));
+    seen.other_times = side.times && side.times != seen.times ? seen.other_times + 1 : 0;
+    if (side.times && (seen.other_times == kLasting || restated)) {
+      sentences.push_back(timesText(side, restated ? std::nullopt : seen.times));
+      seen.times = side.times, seen.other_times = 0;
+    }
     const std::string unmatched = unmatchedText(side);
     if (!unmatched.empty() && (unmatched != seen.unmatched || restated)) sentences.push_back(unmatched);
     seen.unmatched = unmatched;

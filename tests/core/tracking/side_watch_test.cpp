@@ -82,6 +82,27 @@ TEST_F(SideWatchTest, RestatesThePresentStateAndNothingOlder) {
   EXPECT_EQ(observe(State::kReceiving), Sentences{"motors receiving again after 65.0 s"});
 }
 
+TEST_F(SideWatchTest, SaysByWhatImagesAreDated) {
+  using Times = SideStatus::Times;
+  observe(State::kReceiving);
+  side_.name = "cameras";
+  const auto saidOf = [&](Times times, int calls) {
+    Sentences all;
+    side_.times = times;
+    for (int k = 0; k < calls; ++k)
+      for (const std::string& sentence : observe(State::kReceiving)) all.push_back(sentence);
+    return all;
+  };
+  EXPECT_EQ(saidOf(Times::kStamps, 20), Sentences{"cameras: times of the images by stamps"});
+  EXPECT_EQ(saidOf(Times::kArrivals, SideWatch::kLasting - 1), Sentences{}) << "for a moment";
+  EXPECT_EQ(saidOf(Times::kStamps, 20), Sentences{});
+  EXPECT_EQ(saidOf(Times::kArrivals, 20),
+            Sentences{"cameras: times of the images by arrivals, no longer by stamps"});
+  watch_.restate();
+  EXPECT_EQ(saidOf(Times::kArrivals, 20),
+            (Sentences{"cameras receiving", "cameras: times of the images by arrivals"}));
+}
+
 TEST_F(SideWatchTest, SaysOnceThatEncodersDoNotMatch) {
   observe(State::kReceiving);
   side_.unmatched = 3;
