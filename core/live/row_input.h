@@ -35,6 +35,8 @@ class RowInput {
   virtual std::optional<std::string> hint() { return {}; }
   /// Lost so far, of an input whose sender does not wait.
   virtual LostMessages lost() const { return {}; }
+  /// Rows excluded so far, since their connection ended within them.
+  virtual std::uint64_t incomplete() const { return 0; }
   /// Rows so far whose joint encoders came with another stamp, and were excluded.
   virtual std::uint64_t unmatched() const { return 0; }
   /// Stamp of the ROS clock at time 0 of the rows [ns]; nothing: their times are of another clock.

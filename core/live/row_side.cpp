@@ -94,8 +94,10 @@ void RowSide::readOnce() {
     ended_ = state == ReadState::kEnded;
     if (auto rows = input_->take()) pass(std::move(*rows));
     if (state == ReadState::kNothing && !first_known_) noteHint();
-    if (state != ReadState::kClosed) return;
+    if (state != ReadState::kClosed && state != ReadState::kEnded) return;
     const std::lock_guard lock(mutex_);
+    status_.incomplete = input_->incomplete();
+    if (state == ReadState::kEnded) return;
     status_.state = State::kWaiting;
     status_.connected = false;
   } catch (const base::InputError& error) {

@@ -82,6 +82,7 @@ std::string textOf(const SideStatus& side) {
   if (side.times) text += fmt::format("; times by {}", base::nameOf(*side.times));
   if (side.unpaired + side.frozen > 0)
     text += fmt::format("; {} unpaired, {} frozen", side.unpaired, side.frozen);
+  if (side.incomplete > 0) text += fmt::format("; {} incomplete", counted(side.incomplete, side.counted));
   if (side.unmatched > 0)
     text += fmt::format("; joint encoders of {} unmatched", counted(side.unmatched, "row"));
   if (side.refused > 0) text += fmt::format("; {} refused", side.refused);

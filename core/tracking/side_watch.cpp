@@ -54,6 +54,9 @@ std::vector<std::string> SideWatch::observe(const std::vector<SideStatus>& sides
       sentences.push_back(timesText(side, restated ? std::nullopt : seen.times));
       seen.times = side.times, seen.other_times = 0;
     }
+    if (side.incomplete > seen.incomplete)
+      sentences.push_back(side.name + ": the last row was incomplete, and is excluded");
+    seen.incomplete = side.incomplete;
     const std::string unmatched = unmatchedText(side);
     if (!unmatched.empty() && (unmatched != seen.unmatched || restated)) sentences.push_back(unmatched);
     seen.unmatched = unmatched;

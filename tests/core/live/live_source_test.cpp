@@ -212,6 +212,15 @@ TEST(LiveSource, AnswersAWrongFirstLineWhileItsSenderWaits) {
   }
 }
 
+/// A program that is killed while it sends `…,-480.25`.
+TEST(LiveSource, ARowThatTheEndOfTheConnectionCutsOffIsExcludedAndCounted) {
+  LiveSource source(listening());
+  TcpSender(addressOf(source)).send(formatMeasuredTable(movingTable(100)) + "0.1,80,-90,-4");
+  ASSERT_TRUE(eventually([&] { return source.sides().front().incomplete == 1; }));
+  EXPECT_EQ(source.sides().front().received, 100U);
+  EXPECT_THAT(tracking::textOf(source.sides().front()), testing::HasSubstr("1 row incomplete"));
+}
+
 TEST(LiveSource, ReadsAFifoOfSeveralWriters) {
   const auto path = std::filesystem::temp_directory_path() / ("capstan_fifo_" + std::to_string(getpid()));
   ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
