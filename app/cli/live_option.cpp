@@ -90,6 +90,7 @@ nlohmann::json jsonOf(const std::vector<tracking::SideStatus>& sides) {
                    {"missing", side.missing},
                    {"repeated", side.repeated},
                    {"dropped", side.dropped},
+                   {"gaps", side.gaps},
                    {"incomplete", side.incomplete},
                    {"unmatched", side.unmatched},
                    {"unpaired", side.unpaired},

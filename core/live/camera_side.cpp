@@ -324,7 +324,9 @@ void CameraSide::take(int stream, const cv::Mat& image, const Times& times, std:
 void CameraSide::pass(FramePair pair, Clock::time_point arrival) {
   const std::optional<double> now = session_.at(arrival), seen = observeExposure(pair);
   if (!now || !seen) return;
-  const double t = *seen - setup_.latency;
+  const double t = *seen - setup_.latency, interval = t - newest_pair_.value_or(t);
+  newest_pair_ = t;
+  if (interval > tracking::SideStatus::kSilence) ++status_.gaps, status_.last_gap = interval;
   if (!queue_.offer(tracking::StereoFrame{t, *now, std::move(pair.left), std::move(pair.right), pair.skew}))
     ++status_.dropped;
 }

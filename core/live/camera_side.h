@@ -94,6 +94,7 @@ class CameraSide {
 
   mutable std::mutex mutex_;  ///< protects the members below
   FramePairer pairer_;
+  std::optional<double> newest_pair_;  ///< its time on the session's clock [s]
   tracking::SideStatus status_;
   struct Newest {
     Clock::time_point image, change;  ///< arrival of the newest image, and of the newest that was not frozen

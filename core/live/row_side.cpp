@@ -206,6 +206,7 @@ void RowSide::deliver(recording::MeasuredTable table, double arrival) {
   status_.dropped += dropped;
   status_.repeated = times_.repeated();
   status_.missing = gaps_.missing();
+  status_.gaps = gaps_.silences(), status_.last_gap = gaps_.lastSilence();
   status_.unmatched = input_->unmatched();
   last_arrival_ = faults_ == Faults::kEnd ? now() : arrival;  // they may have waited for room
   if (faults_ == Faults::kEnd) return;

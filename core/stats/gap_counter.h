@@ -29,7 +29,10 @@ class GapCounter {
     if (count_++ == 0 || interval <= 0.0) return;
     span_ += std::min(interval, kSilence);
     if (period_ == 0.0 || interval > kSilence) credit_ = 0;
-    if (interval > kSilence) return settle();
+    if (interval > kSilence) {
+      ++silences_, last_silence_ = interval;
+      return settle();
+    }
     if (period_ > 0.0) judge(std::round(interval / period_));
     intervals_[learned_++] = interval;
     if (learned_ == kLearned) learn();
@@ -38,6 +41,8 @@ class GapCounter {
   void credit(std::uint64_t lost) { credit_ += lost; }
   /// Samples missing so far; those of the newest gap may still come late.
   std::uint64_t missing() const { return missing_ + gap_; }
+  std::uint64_t silences() const { return silences_; }  ///< so far
+  double lastSilence() const { return last_silence_; }  ///< length of the newest one [s]
 
  private:
   void settle() { missing_ += gap_, gap_ = 0, regular_ = 0; }
@@ -82,7 +87,8 @@ class GapCounter {
   std::array<Block, kBlocks> blocks_{};
   std::size_t learned_ = 0, block_ = 0;
   double last_ = 0.0, period_ = 0.0, span_ = 0.0;
-  std::uint64_t count_ = 0, missing_ = 0;
+  double last_silence_ = 0.0;
+  std::uint64_t count_ = 0, missing_ = 0, silences_ = 0;
   std::uint64_t gap_ = 0;     ///< samples of the newest gaps that have not come late
   std::uint64_t credit_ = 0;  ///< of credit(), not found in a gap yet
   int regular_ = 0;           ///< intervals of one period in turn

@@ -82,6 +82,8 @@ std::string textOf(const SideStatus& side) {
   if (side.times) text += fmt::format("; times by {}", base::nameOf(*side.times));
   if (side.unpaired + side.frozen > 0)
     text += fmt::format("; {} unpaired, {} frozen", side.unpaired, side.frozen);
+  if (side.gaps > 0)
+    text += fmt::format("; {} in the times, the last of {:.1f} s", counted(side.gaps, "gap"), side.last_gap);
   if (side.incomplete > 0) text += fmt::format("; {} incomplete", counted(side.incomplete, side.counted));
   if (side.unmatched > 0)
     text += fmt::format("; joint encoders of {} unmatched", counted(side.unmatched, "row"));

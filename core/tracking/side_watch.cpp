@@ -54,6 +54,11 @@ std::vector<std::string> SideWatch::observe(const std::vector<SideStatus>& sides
       sentences.push_back(timesText(side, restated ? std::nullopt : seen.times));
       seen.times = side.times, seen.other_times = 0;
     }
+    // The end of a silence that was said is no news.
+    if (side.gaps > seen.gaps && seen.state == State::kReceiving && side.state == State::kReceiving)
+      sentences.push_back(
+          fmt::format("{}: gap of {:.1f} s in the times of the {}s", side.name, side.last_gap, side.counted));
+    seen.gaps = side.gaps;
     if (side.incomplete > seen.incomplete)
       sentences.push_back(side.name + ": the last row was incomplete, and is excluded");
     seen.incomplete = side.incomplete;

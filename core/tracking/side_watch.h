@@ -25,7 +25,7 @@ class SideWatch {
   struct Seen {
     SideStatus::State state = SideStatus::State::kWaiting;
     std::string part, fault, reason;
-    std::uint64_t steps = 0, received = 0, refused = 0, incomplete = 0;
+    std::uint64_t steps = 0, received = 0, refused = 0, incomplete = 0, gaps = 0;
     std::string unmatched;
     std::optional<SideStatus::Times> times;  ///< that were said last
     int other_times = 0;                     ///< calls in turn with others

@@ -73,6 +73,8 @@ struct SideStatus {
   std::uint64_t frozen = 0;       ///< images that equal the one before; their pairs are excluded
   std::uint64_t unmatched = 0;    ///< rows whose joint encoders came with another stamp, and were excluded
   std::uint64_t incomplete = 0;   ///< rows excluded, since their connection ended within them
+  std::uint64_t gaps = 0;         ///< intervals above kSilence in the times of rows or pairs
+  double last_gap = 0.0;          ///< length of the newest of them [s]
   std::uint64_t connections = 0;  ///< number of times that a program has connected
   std::uint64_t refused = 0;      ///< of them, disconnected for `fault`
   /// By what the times of images are known.

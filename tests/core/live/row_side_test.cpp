@@ -4,10 +4,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <functional>
+#include <mutex>
 #include <thread>
 
 #include "core/robot/description.h"
-#include "core/tracking/side_text.h"
+#include "core/tracking/side_watch.h"
 
 namespace capstan::live {
 namespace {
@@ -87,6 +89,21 @@ TEST_F(RowSideTest, MessagesThatAreLostHereAreDroppedAndNotMissing) {
   ASSERT_TRUE(receives(279));
   EXPECT_EQ(side_->status().dropped, 27U) << "20 rows and 7 messages of encoders";
   EXPECT_EQ(side_->status().missing, 1U) << "row 200 never came";
+}
+
+/// This computer stalled: the rows of a second are gone, and none was awaited.
+TEST_F(RowSideTest, ALongGapInTheTimesIsCountedAndSaid) {
+  begin(RowSide::Faults::kDisconnect);
+  tracking::SideWatch watch;
+  send(0, 200);
+  ASSERT_TRUE(receives(200));
+  watch.observe({side_->status()});
+  send(200, 1400, [](int k) { return k >= 250 && k < 1250; });
+  ASSERT_TRUE(receives(400));
+  EXPECT_EQ(side_->status().missing, 0U);
+  EXPECT_EQ(side_->status().gaps, 1U);
+  EXPECT_THAT(watch.observe({side_->status()}),
+              ::testing::ElementsAre("motors: gap of 1.0 s in the times of the rows"));
 }
 
 /// Tracking is paused or slow: the sender waits, and is not silent.

@@ -22,6 +22,8 @@ TEST(GapCounter, CountsWhatIsMissingInASteadyStream) {
     gaps.add(1e-3 * k + jitter(random) + (k > 3010 ? 2.0 : 0.0));  // and one silence of 2 s
   }
   EXPECT_EQ(gaps.missing(), withheld);
+  EXPECT_EQ(gaps.silences(), 1U);
+  EXPECT_NEAR(gaps.lastSilence(), 2.0, 0.005);
 }
 
 /// Stamps of a steady sender that is held up for up to `most` periods, twenty times a second, and that is

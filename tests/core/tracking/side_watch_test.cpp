@@ -103,6 +103,16 @@ TEST_F(SideWatchTest, SaysByWhatImagesAreDated) {
             (Sentences{"cameras receiving", "cameras: times of the images by arrivals"}));
 }
 
+TEST_F(SideWatchTest, SaysAGapInTheTimesThatNoSilenceHasAnnounced) {
+  observe(State::kReceiving);
+  side_.gaps = 1, side_.last_gap = 2.1;
+  EXPECT_EQ(observe(State::kReceiving), Sentences{"motors: gap of 2.1 s in the times of the rows"});
+  EXPECT_EQ(observe(State::kReceiving), Sentences{});
+  observe(State::kSilent, 3.0);
+  side_.gaps = 2, side_.last_gap = 3.0;
+  EXPECT_EQ(observe(State::kReceiving), Sentences{"motors receiving again after 3.0 s"});
+}
+
 TEST_F(SideWatchTest, SaysOnceThatEncodersDoNotMatch) {
   observe(State::kReceiving);
   side_.unmatched = 3;
