@@ -34,10 +34,10 @@ class EncoderPairing {
     joints_.push_back({joints, false});
     if (joints_.size() > kMost) dropOldest();
   }
-  /// Oldest row, if it need not wait for its encoders any more at the time `now`.
-  std::optional<Row> take(Clock::time_point now) {
-    if (rows_.empty() || !isComplete(rows_.front(), now)) return {};
-    Row row = std::move(rows_.front());
+  /// Moves the oldest row to `row`, if it need not wait for its encoders any more at the time `now`.
+  bool take(Clock::time_point now, Row& row) {
+    if (rows_.empty() || !isComplete(rows_.front(), now)) return false;
+    row = std::move(rows_.front());
     rows_.pop_front();
     const double t = row.motors.t;
     while (!joints_.empty() && joints_.front().sample.t < t - kSameTime) dropOldest();
@@ -46,7 +46,7 @@ class EncoderPairing {
       joints_.front().used = true;
     }
     unmatched_ += std::exchange(passed_over_, false) && !row.joints;
-    return row;
+    return true;
   }
   bool empty() const { return rows_.empty(); }
   /// Rows without encoders before which encoders came that belong to no row: the stamps of the two do not

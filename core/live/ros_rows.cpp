@@ -106,12 +106,12 @@ std::optional<recording::MeasuredTable> RosRows::take() {
   recording::MeasuredTable table;
   table.file = name();
   table.own_kinematics = raven_.has_value();
-  while (const auto row = pairing_.take(std::chrono::steady_clock::now())) {
-    table.t.push_back(row->motors.t);
-    push(table.q_m, row->motors.position);
-    push(table.dq_m, row->motors.velocity);
-    push(table.tau_m, row->motors.torque);
-    push(table.q, row->joints ? row->joints->position : Eigen::Vector3d::Constant(base::kNaN));
+  for (EncoderPairing::Row row; pairing_.take(std::chrono::steady_clock::now(), row);) {
+    table.t.push_back(row.motors.t);
+    push(table.q_m, row.motors.position);
+    push(table.dq_m, row.motors.velocity);
+    push(table.tau_m, row.motors.torque);
+    push(table.q, row.joints ? row.joints->position : Eigen::Vector3d::Constant(base::kNaN));
   }
   if (table.t.empty()) return {};
   for (recording::TableColumns* columns : {&table.dq_m, &table.tau_m, &table.q}) dropEmpty(*columns);
