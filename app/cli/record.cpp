@@ -59,6 +59,7 @@ ExitCode record(const RecordArguments& arguments) {
     runner->run();
     waitForEnd(*runner, progress);
   }
+  runner->stopRecording();  // before the pause, which is none of the session
   runner->pause();
   runner->waitUntilIdle(kLongestStop);
   const live::RunStatus status = runner->status();

@@ -81,7 +81,7 @@ tracking::SideStatus CameraSide::status() const {
   tracking::SideStatus status = status_;
   if (status.state == State::kReceiving) judge(status);
   status.unpaired = pairer_.unpaired(), status.frozen = pairer_.frozen();
-  status.dropped += pairer_.dropped();
+  status.dropped += pairer_.dropped(), status.missing = pairer_.missing();
   if (status.state != State::kReceiving)
     status.reason = status.part.empty() ? joined(reasons_) : reasons_[status.part == "left" ? 0 : 1];
   return status;
@@ -324,9 +324,9 @@ void CameraSide::take(int stream, const cv::Mat& image, const Times& times, std:
 void CameraSide::pass(FramePair pair, Clock::time_point arrival) {
   const std::optional<double> now = session_.at(arrival), seen = observeExposure(pair);
   if (!now || !seen) return;
-  const double t = *seen - setup_.latency;
-  gaps_.add(t);
-  status_.missing = gaps_.missing();
+  const double t = *seen - setup_.latency, interval = t - newest_pair_.value_or(t);
+  newest_pair_ = t;
+  if (interval > tracking::SideStatus::kSilence) ++status_.gaps, status_.last_gap = interval;
   if (!queue_.offer(tracking::StereoFrame{t, *now, std::move(pair.left), std::move(pair.right), pair.skew}))
     ++status_.dropped;
 }

@@ -16,7 +16,6 @@
 #include "core/live/live_setup.h"
 #include "core/live/sample_queue.h"
 #include "core/live/streams/clock_agreement.h"
-#include "core/live/streams/gap_counter.h"
 #include "core/tracking/source.h"
 
 namespace capstan::live {
@@ -95,7 +94,7 @@ class CameraSide {
 
   mutable std::mutex mutex_;  ///< protects the members below
   FramePairer pairer_;
-  GapCounter gaps_;  ///< between the pairs
+  std::optional<double> newest_pair_;  ///< its time on the session's clock [s]
   tracking::SideStatus status_;
   struct Newest {
     Clock::time_point image, change;  ///< arrival of the newest image, and of the newest that was not frozen

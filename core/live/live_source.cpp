@@ -134,9 +134,15 @@ bool LiveSource::next(tracking::Sample& out) {
   return true;
 }
 
+/// The image itself stays as it came: the cameras' threads compare it with the next one.
 void LiveSource::cover(tracking::StereoFrame& frame) const {
-  if (left_blocked_ && !frame.left.empty()) vision::coverImage(frame.left, frame.t, 0);
-  if (right_blocked_ && !frame.right.empty()) vision::coverImage(frame.right, frame.t, 1);
+  const auto coverCopy = [&](cv::Mat& image, int side) {
+    if (image.empty()) return;
+    image = image.clone();
+    vision::coverImage(image, frame.t, side);
+  };
+  if (left_blocked_) coverCopy(frame.left, 0);
+  if (right_blocked_) coverCopy(frame.right, 1);
 }
 
 }  // namespace capstan::live

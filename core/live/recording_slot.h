@@ -8,16 +8,24 @@
 #include <vector>
 
 #include "core/base/due_times.h"
+#include "core/live/pause_watch.h"
 #include "core/recording/recorder.h"
+#include "core/tracking/arrival.h"
+#include "core/tracking/gate_watch.h"
+#include "core/tracking/side_watch.h"
 
 namespace capstan::live {
 
-/// Holder of the recorder to which the pipeline's thread writes, if any. Former recorders are closed in the
+/// Holder of the recorder to which the pipeline's thread writes, if any. Notes as events what changes at the
+/// sides of a live source, whether its cameras are used, and its pauses; also how these are when a recording
+/// begins. Former recorders are closed in the
 /// background.
 class RecordingSlot {
  public:
-  /// Estimates of motor samples are reduced to `estimate_rate` [1/s of recording].
-  explicit RecordingSlot(double estimate_rate) : estimates_(estimate_rate) {}
+  /// Estimates of motor samples are reduced to `estimate_rate` [1/s of recording]. `sender_waits`: of the
+  /// source.
+  explicit RecordingSlot(double estimate_rate, bool sender_waits = false)
+      : estimates_(estimate_rate), pauses_(sender_waits) {}
   ~RecordingSlot() {
     if (!recorder_) return;
     noteGaps();
@@ -29,6 +37,7 @@ class RecordingSlot {
     end();
     recorder_ = std::move(recorder);
     estimates_.restart();
+    sides_.restate(), gate_.restate(), pauses_.restate();
     const std::lock_guard lock(mutex_);
     newest_ = recorder_;
   }
@@ -40,13 +49,24 @@ class RecordingSlot {
     recorder_ = nullptr;
   }
   void offer(const tracking::Sample& sample) {
+    t_ = tracking::arrivalOf(sample);
+    observePause(false);
     if (recorder_) recorder_->offer(sample);
   }
   void offer(const tracking::Snapshot& snapshot) {
+    if (auto sentence = gate_.observe(snapshot)) note(t_, "camera", std::move(*sentence));
     if (!recorder_) return;
-    t_ = snapshot.t;
     if (snapshot.camera_updated || (snapshot.motor_updated && estimates_.due(snapshot.t)))
       recorder_->offer(snapshot);
+  }
+  /// Notes what has changed at the sides of the source.
+  void observe(const std::vector<tracking::SideStatus>& sides) {
+    for (std::string& sentence : sides_.observe(sides)) note(t_, "source", std::move(sentence));
+  }
+  /// Notes that a live source is paused. The next sample ends the pause.
+  void observePause(bool paused = true) {
+    if (auto sentence = pauses_.observe(paused, t_, PauseWatch::Clock::now()))
+      note(t_, "session", std::move(*sentence));
   }
   void note(double t, std::string kind, std::string text) {
     if (recorder_) recorder_->note(t, std::move(kind), std::move(text));
@@ -78,7 +98,10 @@ class RecordingSlot {
   }
 
   base::DueTimes estimates_;
-  double t_ = 0.0;  ///< of the newest snapshot [s]
+  PauseWatch pauses_;
+  tracking::SideWatch sides_;
+  tracking::GateWatch gate_;
+  double t_ = 0.0;  ///< arrival of the newest sample [s]
   std::shared_ptr<recording::Recorder> recorder_;
   std::vector<std::future<void>> closing_;
   mutable std::mutex mutex_;

@@ -12,8 +12,6 @@ namespace capstan::live {
 namespace {
 
 constexpr std::size_t kCapacity = 4000;  // messages: 4 s of 1 kHz
-constexpr std::chrono::milliseconds kWaitForEncoders{20};
-constexpr double kSameTime = 2e-4;  // [s] between stamps of motors and encoders of one cycle
 
 ros1::MotorChoice choiceOf(const RowsSetup& setup) { return {setup.names, 1.0, setup.zero, setup.arm - 1}; }
 
@@ -38,11 +36,12 @@ RosRows::RosRows(const RowsSetup& setup, const robot::Description& robot)
       motors_(topic_, kCapacity),
       encoders_(setup.encoders.empty() ? nullptr
                                        : std::make_unique<ros1::TopicReader>(setup.encoders, kCapacity)),
-      hint_(topic_, ros1::carriesMotors, "motors") {}
+      hint_(topic_, ros1::carriesMotors, "motors"),
+      pairing_(encoders_ != nullptr) {}
 
 ReadState RosRows::read(std::chrono::milliseconds wait) {
   constexpr std::chrono::milliseconds kNow{0}, kSoon{1};
-  for (auto message = motors_.next(rows_.empty() ? wait : kSoon); message; message = motors_.next(kNow))
+  for (auto message = motors_.next(pairing_.empty() ? wait : kSoon); message; message = motors_.next(kNow))
     received_.push_back(std::move(*message));
   for (auto message = encoders_ ? encoders_->next(kNow) : std::nullopt; message;
        message = encoders_->next(kNow))
@@ -78,8 +77,8 @@ void RosRows::takeMotors(const ros1::TopicMessage& message) {
     const ros1::RavenState state = raven_->read(message.bytes);
     if (state.stamp == 0) return;  // no valid state
     const double t = timeOf(state.stamp);
-    rows_.push_back({message.arrival, ros1::motorOf(state, software_, choice_.arm, t),
-                     ros1::jointOf(state, choice_.arm, t)});
+    pairing_.addMotors({message.arrival, ros1::motorOf(state, software_, choice_.arm, t),
+                        ros1::jointOf(state, choice_.arm, t)});
     return;
   }
   if (message.type != "sensor_msgs/JointState")
@@ -91,19 +90,13 @@ void RosRows::takeMotors(const ros1::TopicMessage& message) {
                             "Choose a topic of type sensor_msgs/JointState or raven_state"});
   const auto state = decoded<ros1::JointState>(message);
   const std::int64_t stamp = state.header.stamp != 0 ? state.header.stamp : ros1::rosTimeNow();
-  rows_.push_back({message.arrival, ros1::motorOf(state, choice_, timeOf(stamp)), {}});
+  pairing_.addMotors({message.arrival, ros1::motorOf(state, choice_, timeOf(stamp)), {}});
 }
 
 void RosRows::takeEncoders(const ros1::TopicMessage& message) {
   const auto state = decoded<ros1::JointState>(message);
   const double t = timeOf(state.header.stamp != 0 ? state.header.stamp : ros1::rosTimeNow());
-  if (const auto joints = ros1::jointOf(state, t)) joints_.push_back({t, *joints});
-}
-
-/// Whether the row need not wait for its encoders any more.
-bool RosRows::isComplete(const Row& row) const {
-  return !encoders_ || (!joints_.empty() && joints_.back().t > row.motors.t - kSameTime) ||
-         std::chrono::steady_clock::now() - row.arrival > kWaitForEncoders;
+  if (const auto joints = ros1::jointOf(state, t)) pairing_.addEncoders(*joints);
 }
 
 std::optional<recording::MeasuredTable> RosRows::take() {
@@ -113,10 +106,7 @@ std::optional<recording::MeasuredTable> RosRows::take() {
   recording::MeasuredTable table;
   table.file = name();
   table.own_kinematics = raven_.has_value();
-  for (; !rows_.empty() && isComplete(rows_.front()); rows_.pop_front()) {
-    Row& row = rows_.front();
-    while (!joints_.empty() && joints_.front().t < row.motors.t - kSameTime) joints_.pop_front();
-    if (!joints_.empty() && joints_.front().t < row.motors.t + kSameTime) row.joints = joints_.front().joints;
+  for (EncoderPairing::Row row; pairing_.take(std::chrono::steady_clock::now(), row);) {
     table.t.push_back(row.motors.t);
     push(table.q_m, row.motors.position);
     push(table.dq_m, row.motors.velocity);

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 
+#include "core/live/encoder_pairing.h"
 #include "core/live/live_setup.h"
 #include "core/live/row_input.h"
 #include "core/live/topic_hint.h"
@@ -27,25 +28,19 @@ class RosRows final : public RowInput {
   void refuse(const std::string&) override { received_.clear(), received_encoders_.clear(); }
   void checkOrder(const recording::MeasuredTable&) override {}
   std::optional<std::string> hint() override { return hint_.ask(); }
+  LostMessages lost() const override {
+    return {motors_.lost(), encoders_ ? encoders_->lost() : std::uint64_t{0}};
+  }
+  std::uint64_t unmatched() const override { return pairing_.unmatched(); }
   std::optional<std::int64_t> rosStampOfZero() const override {
     return origin_ == 0 ? std::nullopt : std::optional(origin_);
   }
 
  private:
-  struct Row {
-    std::chrono::steady_clock::time_point arrival;
-    tracking::MotorSample motors;
-    std::optional<tracking::JointSample> joints;
-  };
-  struct Encoders {
-    double t = 0.0;
-    tracking::JointSample joints;
-  };
   template <class M>
   M decoded(const ros1::TopicMessage& message) const;
   void takeMotors(const ros1::TopicMessage& message);
   void takeEncoders(const ros1::TopicMessage& message);
-  bool isComplete(const Row& row) const;
   double timeOf(std::int64_t stamp);
 
   const std::string topic_;
@@ -58,8 +53,7 @@ class RosRows final : public RowInput {
   std::uint64_t connections_ = 0;
   TopicHint hint_;
   std::deque<ros1::TopicMessage> received_, received_encoders_;  ///< that take() has not decoded yet
-  std::deque<Row> rows_;                                         ///< that wait for their encoders
-  std::deque<Encoders> joints_;
+  EncoderPairing pairing_;
 };
 
 }  // namespace capstan::live

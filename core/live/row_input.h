@@ -10,6 +10,11 @@
 
 namespace capstan::live {
 
+/// Messages that this program lost, since they had to wait for too long.
+struct LostMessages {
+  std::uint64_t rows = 0, encoders = 0;
+};
+
 /// Rows of a measured table that another program sends while it measures them.
 class RowInput {
  public:
@@ -28,6 +33,12 @@ class RowInput {
   virtual void checkOrder(const recording::MeasuredTable& rows) = 0;
   /// Why nothing comes, empty where there is no such reason; nothing: as before. May take a second.
   virtual std::optional<std::string> hint() { return {}; }
+  /// Lost so far, of an input whose sender does not wait.
+  virtual LostMessages lost() const { return {}; }
+  /// Rows excluded so far, since their connection ended within them.
+  virtual std::uint64_t incomplete() const { return 0; }
+  /// Rows so far whose joint encoders came with another stamp, and were excluded.
+  virtual std::uint64_t unmatched() const { return 0; }
   /// Stamp of the ROS clock at time 0 of the rows [ns]; nothing: their times are of another clock.
   virtual std::optional<std::int64_t> rosStampOfZero() const { return {}; }
 };

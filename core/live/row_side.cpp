@@ -42,7 +42,7 @@ void RowSide::rethrow() const {
 tracking::SideStatus RowSide::status() const {
   const std::lock_guard lock(mutex_);
   tracking::SideStatus status = status_;
-  if (status.received > 0) status.silent_for = now() - last_arrival_;
+  if (status.received > 0 && !held_up_) status.silent_for = now() - last_arrival_;
   if (status.state == State::kReceiving && status.silent_for > tracking::SideStatus::kSilence)
     status.state = State::kSilent;
   return status;
@@ -94,8 +94,10 @@ void RowSide::readOnce() {
     ended_ = state == ReadState::kEnded;
     if (auto rows = input_->take()) pass(std::move(*rows));
     if (state == ReadState::kNothing && !first_known_) noteHint();
-    if (state != ReadState::kClosed) return;
+    if (state != ReadState::kClosed && state != ReadState::kEnded) return;
     const std::lock_guard lock(mutex_);
+    status_.incomplete = input_->incomplete();
+    if (state == ReadState::kEnded) return;
     status_.state = State::kWaiting;
     status_.connected = false;
   } catch (const base::InputError& error) {
@@ -149,7 +151,8 @@ void RowSide::pass(recording::MeasuredTable table) {
 }
 
 /// Waits for a row that comes faster than real time, and meanwhile reads no further, so that its sender has
-/// to wait, too. Returns the time at the end.
+/// to wait, too. The publisher of a ROS topic does not wait: what comes meanwhile may be lost (noteLost()).
+/// Returns the time at the end.
 double RowSide::waitUntilDue(double stamp) {
   constexpr double kNap = 0.05;  // [s]; shorter ones would divide the rows into too many parts
   double arrival = now();
@@ -181,12 +184,13 @@ void RowSide::deliver(recording::MeasuredTable table, double arrival) {
   recording::RowSamples rows;
   for (tracking::Sample sample; rows.next(table, sample);) {
     if (faults_ == Faults::kEnd)
-      queue_.wait(std::move(sample));
+      held_up_ = true, queue_.wait(std::move(sample)), held_up_ = false;
     else if (!queue_.offer(std::move(sample)))
       ++dropped;
   }
   const std::lock_guard lock(mutex_);
   if (std::exchange(clock_steps_, times_.steps()) != times_.steps()) clock_.forget();
+  noteLost();
   if (const auto zero = input_->rosStampOfZero())
     ros_stamp_of_begin_ = *zero - ros1::nanosecondsOf(times_.offset());
   for (const double t : table.t) {
@@ -202,11 +206,20 @@ void RowSide::deliver(recording::MeasuredTable table, double arrival) {
   status_.dropped += dropped;
   status_.repeated = times_.repeated();
   status_.missing = gaps_.missing();
-  last_arrival_ = arrival;
+  status_.gaps = gaps_.silences(), status_.last_gap = gaps_.lastSilence();
+  status_.unmatched = input_->unmatched();
+  last_arrival_ = faults_ == Faults::kEnd ? now() : arrival;  // they may have waited for room
   if (faults_ == Faults::kEnd) return;
   status_.clock = tracking::SideClock{
       times_.steps(), times_.lastStep(),         clock_.offset(),   clock_.offsetUncertainty(),
       clock_.drift(), clock_.driftUncertainty(), clock_.meanDelay()};
+}
+
+/// Messages that the input has lost are dropped rows, and no missing ones.
+void RowSide::noteLost() {
+  const LostMessages before = std::exchange(lost_, input_->lost());
+  gaps_.credit(lost_.rows - before.rows);
+  status_.dropped += lost_.rows - before.rows + lost_.encoders - before.encoders;
 }
 
 void RowSide::refuse(const std::string& reason) {

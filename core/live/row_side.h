@@ -14,8 +14,8 @@
 #include "core/live/row_input.h"
 #include "core/live/sample_queue.h"
 #include "core/live/streams/clock_map.h"
-#include "core/live/streams/gap_counter.h"
 #include "core/live/streams/row_times.h"
+#include "core/stats/gap_counter.h"
 #include "core/tracking/source.h"
 
 namespace capstan::live {
@@ -67,6 +67,7 @@ class RowSide {
   double waitUntilDue(double stamp);
   void deliverKept(recording::MeasuredTable table, std::vector<bool>& keep, double arrival);
   void deliver(recording::MeasuredTable table, double arrival);
+  void noteLost();
   void refuse(const std::string& reason);
   double now() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
 
@@ -82,10 +83,12 @@ class RowSide {
   bool first_known_ = false, ended_ = false;
   bool motors_judged_ = false;  ///< those of the program that is connected
   std::atomic<bool> quit_{false};
+  std::atomic<bool> held_up_{false};  ///< waits for room in the queue: the sender is not silent
 
   mutable std::mutex mutex_;  ///< protects the members below
   tracking::SideStatus status_;
-  GapCounter gaps_;                                 ///< in the session's times
+  stats::GapCounter gaps_;                          ///< in the session's times
+  LostMessages lost_;                               ///< of the input, that status_ and gaps_ know
   ClockMap clock_;                                  ///< from the session's clock to this computer's
   double begin_ = 0.0, newest_ = 0.0;               ///< time of the first and the newest row [s]
   std::uint64_t clock_steps_ = 0;                   ///< of times_ that clock_ knows

@@ -18,10 +18,8 @@
 #include "core/live/run_fault.h"
 #include "core/live/runner.h"
 #include "core/tracking/arrival.h"
-#include "core/tracking/gate_watch.h"
 #include "core/tracking/make_pipeline.h"
 #include "core/tracking/option_changes.h"
-#include "core/tracking/side_watch.h"
 #include "core/tracking/take_over.h"
 
 namespace capstan::live {
@@ -262,7 +260,8 @@ class Runner::Impl {
 
   void rest() {
     if (info_.real_time) {
-      if (begun_) source_->discard();  // what comes during a pause is not tracked afterwards
+      if (mode_ == Mode::kPause) recording_.observePause();
+      if (begun_ && !info_.sender_waits) source_->discard();  // it is not tracked after the pause
       publishStatus(false);
     }
     std::unique_lock lock(mutex_);
@@ -298,7 +297,6 @@ class Runner::Impl {
     recording_.offer(sample_);
     const tracking::Snapshot& snapshot = pipeline_.step(sample_);
     report_.add(snapshot);
-    if (auto sentence = gate_watch_.observe(snapshot)) recording_.note(t_, "camera", std::move(*sentence));
     if (listener_) listener_.take(sample_, snapshot);
     recording_.offer(snapshot);
     publisher_.publish(snapshot, plotted_.take(snapshot));
@@ -339,8 +337,7 @@ class Runner::Impl {
     reported_ = wall;
     meter_.look(t_, wall);
     std::vector<tracking::SideStatus> sides = source_->sides();
-    for (std::string& sentence : begun_ ? side_watch_.observe(sides) : std::vector<std::string>())
-      recording_.note(t_, "source", std::move(sentence));
+    if (begun_) recording_.observe(sides);
     {
       const std::lock_guard lock(mutex_);
       published_report_ = report_;
@@ -376,13 +373,11 @@ class Runner::Impl {
   bool quit_ = false, begun_ = false, fetched_ = false, camera_seen_ = false;
   tracking::Sample sample_;
   Blocking blocking_;
-  RecordingSlot recording_{RunnerOptions::kEstimateRate};
+  RecordingSlot recording_{RunnerOptions::kEstimateRate, info_.sender_waits};
   Listener listener_;
   tracking::TrackReport report_;
   PlaybackClock pacer_;
   RateMeter meter_;
-  tracking::SideWatch side_watch_;
-  tracking::GateWatch gate_watch_;
   Clock::time_point reported_{};
 
   mutable std::mutex mutex_;  ///< protects all members below

@@ -7,7 +7,8 @@
 
 namespace capstan::live {
 
-/// Rows as text: a header line, then a line per row.
+/// Rows as text: a header line, then a line per row. A last row without line end is one of a file, and
+/// excluded elsewhere.
 class TextRows final : public RowInput {
  public:
   TextRows(std::unique_ptr<ByteStream> stream, RowParser parser)
@@ -22,8 +23,9 @@ class TextRows final : public RowInput {
     return state_;
   }
   std::optional<recording::MeasuredTable> take() override {
-    const bool whole = state_ == ReadState::kEnded || state_ == ReadState::kClosed;
-    auto rows = parser_.take(whole);
+    const bool ended = state_ == ReadState::kEnded || state_ == ReadState::kClosed;
+    if (ended && !stream_->isFile()) incomplete_ += parser_.discardIncomplete();
+    auto rows = parser_.take(ended);
     if (state_ == ReadState::kClosed) parser_.restart();
     return rows;
   }
@@ -32,6 +34,7 @@ class TextRows final : public RowInput {
     parser_.restart();
   }
   void confirm() override { stream_->confirm(); }
+  std::uint64_t incomplete() const override { return incomplete_; }
   void checkOrder(const recording::MeasuredTable& rows) override { parser_.checkOrder(rows); }
 
  private:
@@ -39,6 +42,7 @@ class TextRows final : public RowInput {
   RowParser parser_;
   std::string bytes_;
   ReadState state_ = ReadState::kNothing;
+  std::uint64_t incomplete_ = 0;
 };
 
 }  // namespace capstan::live

@@ -31,7 +31,8 @@ struct SessionHeader {
   std::string marker;    ///< marker options (YAML), else empty
   std::string tracking;  ///< tracking options (YAML), else empty
   std::optional<Eigen::Isometry3d> base_from_camera;
-  std::string rows;  ///< numbers of rows, textOf(RowCounts); empty: not written, because the recording did not end
+  std::string
+      rows;  ///< numbers of rows, textOf(RowCounts); empty: not written, because the recording did not end
   bool reference = false;       ///< the robot has joint encoders
   bool own_kinematics = false;  ///< joints are the robot's own kinematics instead
 };
@@ -42,7 +43,8 @@ SessionHeader headerOf(const tracking::SourceInfo& source, std::string created);
 /// An event at t [s]: occlusion, registration, a user's note.
 struct SessionEvent {
   double t = 0.0;
-  std::string kind;  ///< "occlusion", "registration", "note", "source", "camera", "robot", "recorder"
+  /// "occlusion", "registration", "note", "source", "camera", "robot", "recorder", "session" (a pause)
+  std::string kind;
   std::string text;
 };
 

@@ -16,6 +16,8 @@ class GateWatch {
   /// A sentence, as "camera not used: both lost" or "camera used again after 2.0 s", or nothing. Takes every
   /// snapshot in order.
   std::optional<std::string> observe(const Snapshot& snapshot);
+  /// observe() says again that camera samples are not used, if that is so: for a recording that begins.
+  void restate() { reason_.reset(); }
 
  private:
   std::optional<double> shut_since_;        ///< time of the first sample that was not used [s]

@@ -42,9 +42,17 @@ std::string shortTextOf(const SideStatus& side) {
     case State::kReceiving:
       break;
   }
-  std::string text;
-  if (side.dropped > 0) text = fmt::format("{}: {} dropped", side.name, side.dropped);
+  std::string text = unmatchedText(side);
+  if (text.empty() && side.dropped > 0) text = fmt::format("{}: {} dropped", side.name, side.dropped);
   return text;
+}
+
+std::string unmatchedText(const SideStatus& side) {
+  if (side.unmatched < SideStatus::kManyUnmatched) return {};
+  return fmt::format(
+      "{}: joint encoders are not used, their stamps differ from those of the motors: publish both with the "
+      "stamp of one cycle, or leave out encoders in the live set-up",
+      side.name);
 }
 
 std::string outdatedText(const std::vector<SideStatus>& sides, const std::string& camera) {
@@ -74,6 +82,11 @@ std::string textOf(const SideStatus& side) {
   if (side.times) text += fmt::format("; times by {}", base::nameOf(*side.times));
   if (side.unpaired + side.frozen > 0)
     text += fmt::format("; {} unpaired, {} frozen", side.unpaired, side.frozen);
+  if (side.gaps > 0)
+    text += fmt::format("; {} in the times, the last of {:.1f} s", counted(side.gaps, "gap"), side.last_gap);
+  if (side.incomplete > 0) text += fmt::format("; {} incomplete", counted(side.incomplete, side.counted));
+  if (side.unmatched > 0)
+    text += fmt::format("; joint encoders of {} unmatched", counted(side.unmatched, "row"));
   if (side.refused > 0) text += fmt::format("; {} refused", side.refused);
   if (!side.fault.empty()) text += "; last fault: " + side.fault;
   if (!side.reason.empty()) text += "; nothing comes: " + side.reason;

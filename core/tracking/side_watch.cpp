@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "core/tracking/side_text.h"
 
@@ -11,13 +12,19 @@ namespace {
 
 using State = SideStatus::State;
 
-/// The side's new state in words.
-std::string sentenceOf(const SideStatus& side, double silent_for) {
+/// The side's state in words; `changed`: just now.
+std::string sentenceOf(const SideStatus& side, double silent_for, bool changed) {
   if (side.state == State::kReceiving)
     return silent_for > 0.0 ? fmt::format("{} receiving again after {:.1f} s", side.name, silent_for)
                             : side.name + " receiving";
-  if (side.state == State::kSilent || side.state == State::kFrozen) return stateOf(side);
+  if (changed && (side.state == State::kSilent || side.state == State::kFrozen)) return stateOf(side);
   return shortTextOf(side);
+}
+
+/// By what images are dated; `before`: by what they were.
+std::string timesText(const SideStatus& side, std::optional<SideStatus::Times> before) {
+  return fmt::format("{}: times of the images by {}{}", side.name, base::nameOf(*side.times),
+                     before ? fmt::format(", no longer by {}", base::nameOf(*before)) : "");
 }
 
 }  // namespace
@@ -25,6 +32,7 @@ std::string sentenceOf(const SideStatus& side, double silent_for) {
 std::vector<std::string> SideWatch::observe(const std::vector<SideStatus>& sides) {
   std::vector<std::string> sentences;
   seen_.resize(sides.size());
+  const bool restated = std::exchange(restate_, false);
   for (std::size_t k = 0; k < sides.size(); ++k) {
     const SideStatus& side = sides[k];
     Seen& seen = seen_[k];
@@ -36,10 +44,27 @@ std::vector<std::string> SideWatch::observe(const std::vector<SideStatus>& sides
       sentences.push_back(fmt::format("{} refused: {}", side.name, side.fault));
     const bool nothing_comes = side.state == State::kWaiting || side.state == State::kSilent;
     const bool new_reason = nothing_comes && !side.reason.empty() && side.reason != seen.reason;
-    if (side.state != seen.state || side.part != seen.part || new_reason)
-      sentences.push_back(sentenceOf(side, seen.received > 0 ? seen.silent_for : 0.0));
+    const bool changed = side.state != seen.state || side.part != seen.part || new_reason;
+    if (changed || restated)
+      sentences.push_back(sentenceOf(side, seen.received > 0 ? seen.silent_for : 0.0, changed));
     if (side.clock && side.clock->steps > seen.steps)
       sentences.push_back(fmt::format("{}: clock stepped by {:+.3f} s", side.name, side.clock->last_step));
+    seen.other_times = side.times && side.times != seen.times ? seen.other_times + 1 : 0;
+    if (side.times && (seen.other_times == kLasting || restated)) {
+      sentences.push_back(timesText(side, restated ? std::nullopt : seen.times));
+      seen.times = side.times, seen.other_times = 0;
+    }
+    // The end of a silence that was said is no news.
+    if (side.gaps > seen.gaps && seen.state == State::kReceiving && side.state == State::kReceiving)
+      sentences.push_back(
+          fmt::format("{}: gap of {:.1f} s in the times of the {}s", side.name, side.last_gap, side.counted));
+    seen.gaps = side.gaps;
+    if (side.incomplete > seen.incomplete)
+      sentences.push_back(side.name + ": the last row was incomplete, and is excluded");
+    seen.incomplete = side.incomplete;
+    const std::string unmatched = unmatchedText(side);
+    if (!unmatched.empty() && (unmatched != seen.unmatched || restated)) sentences.push_back(unmatched);
+    seen.unmatched = unmatched;
     seen.silent_for = side.state == State::kReceiving ? 0.0 : std::max(seen.silent_for, side.silent_for);
     seen.state = side.state, seen.part = side.part, seen.received = side.received;
     seen.refused = side.refused, seen.fault = side.fault, seen.reason = side.reason;

@@ -66,10 +66,15 @@ struct SideStatus {
   double silent_for = 0.0;        ///< time since the last sample, or the last new image [s]
   std::uint64_t received = 0;     ///< number taken
   std::uint64_t repeated = 0;     ///< excluded, since their stamps did not rise
-  std::uint64_t missing = 0;      ///< rows or pairs of images that never came, by the gaps in their times
+  std::uint64_t missing = 0;      ///< rows that never came, or pairs of images of which neither came, by the
+                                  ///< gaps in their times
   std::uint64_t dropped = 0;      ///< excluded, since tracking was too slow
   std::uint64_t unpaired = 0;     ///< images excluded, since the other camera gave none at their time
   std::uint64_t frozen = 0;       ///< images that equal the one before; their pairs are excluded
+  std::uint64_t unmatched = 0;    ///< rows whose joint encoders came with another stamp, and were excluded
+  std::uint64_t incomplete = 0;   ///< rows excluded, since their connection ended within them
+  std::uint64_t gaps = 0;         ///< intervals above kSilence in the times of rows or pairs
+  double last_gap = 0.0;          ///< length of the newest of them [s]
   std::uint64_t connections = 0;  ///< number of times that a program has connected
   std::uint64_t refused = 0;      ///< of them, disconnected for `fault`
   /// By what the times of images are known.
@@ -77,6 +82,8 @@ struct SideStatus {
   std::optional<Times> times;      ///< of the newest images; none: no image so far, or the side has no images
   std::optional<SideClock> clock;  ///< of a device that stamps its samples itself
   std::optional<SideLatency> latency;
+  /// So many unmatched rows are no accident.
+  static constexpr std::uint64_t kManyUnmatched = 50;
   /// Shown within 0.5 s, since views ask every 0.1 s [s].
   static constexpr double kSilence = 0.35;
 };

@@ -251,6 +251,7 @@ void MainWindow::onOpened(const tracking::SourceInfo& info, const SourceChoice& 
   notes_->clear();
   recording_since_.reset();  // that was of the session before
   sides_ = {};
+  pauses_ = live::PauseWatch(info.sender_waits);
   notes_->setRecording(false);
   notes_->addEvent(now_, "source", title_);
   for (const std::string& notice : info.notices)
@@ -281,9 +282,19 @@ void MainWindow::onStatus(const live::RunStatus& status) {
   video_->setOutdated(status.sides);
   for (const std::string& change : sides_.observe(status.sides))
     notes_->addEvent(status.t, "source", QString::fromStdString(change));
+  notePause(status);
   bar_->showStatus(status);
   const QString title = titleOfWindow(title_, status, recording_since_ ? status.t - *recording_since_ : -1.0);
   if (title != windowTitle()) setWindowTitle(title);
+}
+
+/// The pause of a recording that is played is none of the session.
+void MainWindow::notePause(const live::RunStatus& status) {
+  if (!link_.runner()->info().real_time) return;
+  const bool paused = status.state == live::RunState::kPaused;
+  if (!paused && status.t == 0.0) return;  // nothing has come
+  if (const auto change = pauses_.observe(paused, status.t, live::PauseWatch::Clock::now()))
+    notes_->addEvent(status.t, "session", QString::fromStdString(*change));
 }
 
 void MainWindow::onRecording(bool recording, const live::RunStatus& status) {

@@ -4,6 +4,7 @@
 #include <QSettings>
 #include <optional>
 
+#include "core/live/pause_watch.h"
 #include "core/tracking/side_watch.h"
 #include "widgets/figures/joint_figure.h"
 #include "widgets/shell/session_link.h"
@@ -91,6 +92,7 @@ class MainWindow : public QMainWindow {
   void askUnits(const recording::ImplausibleUnits& refused, const SourceChoice& choice);
   void onOpened(const tracking::SourceInfo& info, const SourceChoice& choice);
   void onStatus(const live::RunStatus& status);
+  void notePause(const live::RunStatus& status);
   void onRecording(bool recording, const live::RunStatus& status);
   void listRecordedEvents();
   void showHelp();
@@ -106,6 +108,7 @@ class MainWindow : public QMainWindow {
   double now_ = 0.0;  ///< newest session time [s]
   QString title_ = "no source";
   tracking::SideWatch sides_;  ///< changes of a live source, for the notes
+  live::PauseWatch pauses_;    ///< of a live source, for the notes
   std::optional<double> recording_since_;
   JointFigure* figure_;
   MessageBar *messages_, *news_, *export_news_, *compare_news_, *registration_news_;

@@ -19,8 +19,9 @@ constexpr std::size_t kChunk = 1U << 16;
 /// Standard input, a FIFO or a file. A FIFO goes on when one writer leaves and another one comes.
 class FileStream final : public ByteStream {
  public:
-  FileStream(FileDescriptor file, std::string name, bool fifo)
-      : file_(std::move(file)), name_(std::move(name)), fifo_(fifo) {}
+  /// `mode`: st_mode of the file.
+  FileStream(FileDescriptor file, std::string name, mode_t mode)
+      : file_(std::move(file)), name_(std::move(name)), fifo_(S_ISFIFO(mode)), regular_(S_ISREG(mode)) {}
 
   ReadState read(std::string& out, std::chrono::milliseconds wait) override {
     pollfd poll{file_.get(), POLLIN, 0};
@@ -45,6 +46,7 @@ class FileStream final : public ByteStream {
   void refuse(const std::string&) override {
     if (fifo_) writerLeft();
   }
+  bool isFile() const override { return regular_; }
   std::string name() const override { return name_; }
 
  private:
@@ -65,7 +67,7 @@ class FileStream final : public ByteStream {
 
   FileDescriptor file_;
   std::string name_;
-  bool fifo_ = false, written_ = false;
+  bool fifo_ = false, regular_ = false, written_ = false;
 };
 
 std::unique_ptr<ByteStream> openFile(const std::string& path) {
@@ -73,7 +75,7 @@ std::unique_ptr<ByteStream> openFile(const std::string& path) {
   struct stat facts {};
   if (!file.isOpen() || ::fstat(file.get(), &facts) != 0 || S_ISDIR(facts.st_mode))
     throw base::InputError({path, 0, {}, {}, "cannot be opened", "Check the path and its permissions"});
-  return std::make_unique<FileStream>(std::move(file), path, S_ISFIFO(facts.st_mode));
+  return std::make_unique<FileStream>(std::move(file), path, facts.st_mode);
 }
 
 }  // namespace
@@ -94,7 +96,11 @@ std::unique_ptr<ByteStream> openByteStream(const Address& address) {
     case Address::Kind::kStandardInput:
       break;
   }
-  return std::make_unique<FileStream>(FileDescriptor(::dup(STDIN_FILENO)), "standard input", false);
+  // A pipe ends with its writer: nobody can open it again, as a FIFO of the file system.
+  struct stat facts {};
+  const bool file = ::fstat(STDIN_FILENO, &facts) == 0 && S_ISREG(facts.st_mode);
+  return std::make_unique<FileStream>(FileDescriptor(::dup(STDIN_FILENO)), "standard input",
+                                      file ? S_IFREG : mode_t{0});
 }
 
 }  // namespace capstan::live

@@ -28,6 +28,9 @@ class ByteStream {
   virtual void refuse(const std::string& reason) = 0;
   /// What was read so far was of use: the program that is connected keeps its place.
   virtual void confirm() {}
+  /// Whether the stream is a file, whose last line may lack its end. Elsewhere the end of a connection may
+  /// cut a line off.
+  virtual bool isFile() const { return false; }
   /// The address, with the port in use.
   virtual std::string name() const = 0;
 };

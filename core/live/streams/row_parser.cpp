@@ -48,6 +48,15 @@ void RowParser::checkHeld(std::size_t complete) {
   checked_ = complete;
 }
 
+bool RowParser::discardIncomplete() {
+  const std::size_t last = pending_.rfind('\n');
+  if (pending_.empty() || (header_.empty() && last == std::string::npos)) return false;
+  const std::size_t complete = last == std::string::npos ? 0 : last + 1;
+  const bool any = complete < pending_.size();
+  pending_.erase(complete);
+  return any;
+}
+
 std::optional<MeasuredTable> RowParser::take(bool ended) {
   if (ended && !pending_.empty() && pending_.back() != '\n') pending_ += '\n';
   if (header_.empty()) {

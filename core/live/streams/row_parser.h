@@ -29,6 +29,10 @@ class RowParser {
   /// kLongestLine bytes.
   std::optional<recording::MeasuredTable> take(bool ended);
 
+  /// Discards a row that has no line end yet: its connection has ended, and the last number may be cut off.
+  /// Returns whether there was one.
+  bool discardIncomplete();
+
   /// Throws base::InputError if the times of `rows`, which take() has just returned, do not rise.
   void checkOrder(const recording::MeasuredTable& rows);
 

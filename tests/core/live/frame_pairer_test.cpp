@@ -90,6 +90,7 @@ TEST(FramePairer, ImagesThatAReaderDropsAreDroppedPairs) {
   EXPECT_EQ(pairer.unpaired(), 0U);
   EXPECT_EQ(pairer.dropped(), dropped);
   EXPECT_EQ(pairs, kImages - dropped);
+  EXPECT_EQ(pairer.missing(), 0U) << "what is dropped came";
 }
 
 TEST(FramePairer, WhatACameraDoesNotGiveIsUnpairedBesideWhatAReaderDrops) {
@@ -101,6 +102,32 @@ TEST(FramePairer, WhatACameraDoesNotGiveIsUnpairedBesideWhatAReaderDrops) {
   }
   EXPECT_EQ(pairer.dropped(), 2U);
   EXPECT_EQ(pairer.unpaired(), 1U);
+}
+
+/// A pair counts once: as missing, unpaired or frozen.
+TEST(FramePairer, OnlyPairsOfWhichNeitherImageCameAreMissing) {
+  FramePairer pairer(0.012);
+  for (int k = 0; k < 300; ++k) {
+    if (k == 100 || k == 101 || k == 200) continue;  // neither camera gave one
+    if (k % 20 != 7) pairer.add(0, timeOf(k), imageOf(k));
+    if (k % 20 != 13) pairer.add(1, timeOf(k) + 0.002, imageOf(k % 20 == 3 ? k - 1 : k));
+  }
+  EXPECT_EQ(pairer.missing(), 3U);
+  EXPECT_EQ(pairer.unpaired(), 30U);
+  EXPECT_EQ(pairer.frozen(), 15U);
+}
+
+/// Two cameras in turn: no pair comes, and none is missing, before as after they are synchronised.
+TEST(FramePairer, NothingIsMissingWhereCamerasAreNotSynchronised) {
+  FramePairer pairer(0.012);
+  std::uint64_t pairs = 0;
+  for (int k = 0; k < 400; ++k) {
+    pairs += pairer.add(0, timeOf(k), imageOf(k)).has_value();
+    pairs += pairer.add(1, timeOf(k) + (k < 200 ? 0.0165 : 0.0), imageOf(k)).has_value();
+  }
+  EXPECT_GE(pairs, 199U);
+  EXPECT_LE(pairer.missing(), 1U);
+  EXPECT_GE(pairer.unpaired(), 398U);
 }
 
 TEST(FramePairer, HoldsABoundedNumberOfImagesOfASingleCamera) {

@@ -7,8 +7,10 @@
 #include <filesystem>
 #include <fstream>
 #include <future>
+#include <opencv2/core.hpp>
 
 #include "core/base/error.h"
+#include "core/live/cameras/image_server.h"
 #include "core/live/player.h"
 #include "core/live/runner.h"
 #include "core/live/streams/tcp_sender.h"
@@ -210,6 +212,15 @@ TEST(LiveSource, AnswersAWrongFirstLineWhileItsSenderWaits) {
   }
 }
 
+/// A program that is killed while it sends `…,-480.25`.
+TEST(LiveSource, ARowThatTheEndOfTheConnectionCutsOffIsExcludedAndCounted) {
+  LiveSource source(listening());
+  TcpSender(addressOf(source)).send(formatMeasuredTable(movingTable(100)) + "0.1,80,-90,-4");
+  ASSERT_TRUE(eventually([&] { return source.sides().front().incomplete == 1; }));
+  EXPECT_EQ(source.sides().front().received, 100U);
+  EXPECT_THAT(tracking::textOf(source.sides().front()), testing::HasSubstr("1 row incomplete"));
+}
+
 TEST(LiveSource, ReadsAFifoOfSeveralWriters) {
   const auto path = std::filesystem::temp_directory_path() / ("capstan_fifo_" + std::to_string(getpid()));
   ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
@@ -293,6 +304,38 @@ TEST(LiveSource, RunsInARunner) {
     const auto sides = runner.status().sides;
     return sides.size() == 1 && sides.front().received == 300;
   }));
+}
+
+/// Two network cameras, of which the left one gives the same image again and again while it is blocked.
+TEST(LiveSource, ACameraThatIsBlockedIsStillRecognisedAsFrozen) {
+  ImageServer server("127.0.0.1", 0);
+  LiveSetup setup = listening();
+  const std::string at = "http://127.0.0.1:" + std::to_string(server.port());
+  setup.cameras.emplace();
+  setup.cameras->left = at + "/left", setup.cameras->right = at + "/right";
+  setup.cameras->calibration = test::sourceFile("resources/cameras").string();
+  LiveSource source(setup);
+  playRows(movingTable(100), receiverAt(addressOf(source)), kAtOnce, {}, nullptr);
+  cv::Mat frozen(48, 64, CV_8UC3), image(48, 64, CV_8UC3);
+  cv::randu(frozen, 0, 255);
+  int frames = 0, covered = 0;
+  source.block(true, false);
+  // Until pairs have come, the left image changes.
+  const bool recognised = eventually([&] {
+    cv::randu(image, 0, 255);
+    server.publish(frames < 5 ? image : frozen, image.clone());
+    std::this_thread::sleep_for(20ms);
+    for (tracking::Sample sample; source.ready(0ms) && source.next(sample);)
+      if (const auto* frame = std::get_if<tracking::StereoFrame>(&sample)) {
+        ++frames;
+        covered += cv::norm(frame->left, image, cv::NORM_INF) > 100.0;
+      }
+    return source.sides().back().state == State::kFrozen;
+  });
+  EXPECT_TRUE(recognised) << tracking::textOf(source.sides().back());
+  EXPECT_EQ(source.sides().back().part, "left");
+  EXPECT_GE(frames, 5);
+  EXPECT_EQ(covered, frames);
 }
 
 TEST(LiveSetup, FilesAreChecked) {

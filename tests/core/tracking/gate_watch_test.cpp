@@ -36,5 +36,16 @@ TEST_F(GateWatchTest, SaysWhyTheCameraIsNotUsedAndForHowLong) {
   EXPECT_EQ(observe(3.2, Gate::kOpen), Said());
 }
 
+TEST_F(GateWatchTest, RestatesThatTheCameraIsNotUsed) {
+  observe(1.1, Gate::kJump);
+  observe(1.6, Gate::kJump);
+  watch_.restate();
+  EXPECT_EQ(observe(1.7, Gate::kJump), Said("camera not used: marker jumped"));
+  EXPECT_EQ(observe(1.8, Gate::kJump), Said());
+  EXPECT_EQ(observe(3.1, Gate::kOpen), Said("camera used again after 2.0 s"));
+  watch_.restate();
+  EXPECT_EQ(observe(3.2, Gate::kOpen), Said());
+}
+
 }  // namespace
 }  // namespace capstan::tracking

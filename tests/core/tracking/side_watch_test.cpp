@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/tracking/side_text.h"
+
 namespace capstan::tracking {
 namespace {
 
@@ -65,6 +67,63 @@ TEST_F(SideWatchTest, SaysARefusalThatWasTooShortToBeSeen) {
   EXPECT_EQ(observe(State::kRefused), Sentences{}) << "the same again";
   side_.refused = 4, side_.fault = "line 9 is no row";
   EXPECT_EQ(observe(State::kRefused), Sentences{"motors refused: line 9 is no row"}) << "another one";
+}
+
+TEST_F(SideWatchTest, RestatesThePresentStateAndNothingOlder) {
+  observe(State::kReceiving);
+  side_.refused = 1, side_.fault = "line 7 is no row", side_.clock = SideClock{.steps = 1, .last_step = 0.5};
+  observe(State::kReceiving);
+  watch_.restate();
+  EXPECT_EQ(observe(State::kReceiving), Sentences{"motors receiving"}) << "refusal and step are of the past";
+  EXPECT_EQ(observe(State::kReceiving), Sentences{}) << "once";
+  observe(State::kSilent, 0.4);
+  watch_.restate();
+  EXPECT_EQ(observe(State::kSilent, 65.0), Sentences{"motors silent for 65.0 s"});
+  EXPECT_EQ(observe(State::kReceiving), Sentences{"motors receiving again after 65.0 s"});
+}
+
+TEST_F(SideWatchTest, SaysByWhatImagesAreDated) {
+  using Times = SideStatus::Times;
+  observe(State::kReceiving);
+  side_.name = "cameras";
+  const auto saidOf = [&](Times times, int calls) {
+    Sentences all;
+    side_.times = times;
+    for (int k = 0; k < calls; ++k)
+      for (const std::string& sentence : observe(State::kReceiving)) all.push_back(sentence);
+    return all;
+  };
+  EXPECT_EQ(saidOf(Times::kStamps, 20), Sentences{"cameras: times of the images by stamps"});
+  EXPECT_EQ(saidOf(Times::kArrivals, SideWatch::kLasting - 1), Sentences{}) << "for a moment";
+  EXPECT_EQ(saidOf(Times::kStamps, 20), Sentences{});
+  EXPECT_EQ(saidOf(Times::kArrivals, 20),
+            Sentences{"cameras: times of the images by arrivals, no longer by stamps"});
+  watch_.restate();
+  EXPECT_EQ(saidOf(Times::kArrivals, 20),
+            (Sentences{"cameras receiving", "cameras: times of the images by arrivals"}));
+}
+
+TEST_F(SideWatchTest, SaysAGapInTheTimesThatNoSilenceHasAnnounced) {
+  observe(State::kReceiving);
+  side_.gaps = 1, side_.last_gap = 2.1;
+  EXPECT_EQ(observe(State::kReceiving), Sentences{"motors: gap of 2.1 s in the times of the rows"});
+  EXPECT_EQ(observe(State::kReceiving), Sentences{});
+  observe(State::kSilent, 3.0);
+  side_.gaps = 2, side_.last_gap = 3.0;
+  EXPECT_EQ(observe(State::kReceiving), Sentences{"motors receiving again after 3.0 s"});
+}
+
+TEST_F(SideWatchTest, SaysOnceThatEncodersDoNotMatch) {
+  observe(State::kReceiving);
+  side_.unmatched = 3;
+  EXPECT_EQ(observe(State::kReceiving), Sentences{}) << "some messages were lost";
+  side_.unmatched = 50;
+  const Sentences said = observe(State::kReceiving);
+  ASSERT_EQ(said.size(), 1U);
+  EXPECT_NE(said[0].find("publish both with the stamp of one cycle"), std::string::npos) << said[0];
+  EXPECT_EQ(shortTextOf(side_), said[0]) << "also in the status line";
+  side_.unmatched = 1000;
+  EXPECT_EQ(observe(State::kReceiving), Sentences{});
 }
 
 TEST_F(SideWatchTest, NamesTheCameraAndTheStepOfAClock) {

@@ -1,11 +1,11 @@
-#include "core/live/streams/gap_counter.h"
+#include "core/stats/gap_counter.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <random>
 
-namespace capstan::live {
+namespace capstan::stats {
 namespace {
 
 TEST(GapCounter, CountsWhatIsMissingInASteadyStream) {
@@ -22,6 +22,8 @@ TEST(GapCounter, CountsWhatIsMissingInASteadyStream) {
     gaps.add(1e-3 * k + jitter(random) + (k > 3010 ? 2.0 : 0.0));  // and one silence of 2 s
   }
   EXPECT_EQ(gaps.missing(), withheld);
+  EXPECT_EQ(gaps.silences(), 1U);
+  EXPECT_NEAR(gaps.lastSilence(), 2.0, 0.005);
 }
 
 /// Stamps of a steady sender that is held up for up to `most` periods, twenty times a second, and that is
@@ -49,6 +51,22 @@ TEST(GapCounter, RowsThatAreOnlyLateAreNotMissing) {
   EXPECT_EQ(missingOf(2, false, 5), 489U) << "late and lost";
 }
 
+/// Samples that came and were lost here are dropped, not missing.
+TEST(GapCounter, SamplesThatAreCreditedAreNotMissing) {
+  GapCounter gaps;
+  for (int k = 0; k < 1000; ++k) {
+    if (k >= 200 && k < 205) continue;  // lost here
+    if (k >= 300 && k < 303) continue;  // never came
+    if (k >= 400 && k < 404) continue;  // two of each
+    if (k == 150) gaps.credit(5);       // known before the rows between
+    if (k == 404) gaps.credit(2);
+    if (k == 700) gaps.credit(900);  // those of a silence
+    gaps.add(1e-3 * k + (k >= 700 ? 1.0 : 0.0));
+    if (k == 800) gaps.add(1.802);  // 1.801 never came
+  }
+  EXPECT_EQ(gaps.missing(), 3U + 2U + 1U);
+}
+
 /// Bursts of more rows than a block of the period's estimate: the period stays that of the sender.
 TEST(GapCounter, LongBurstsAreNoPeriod) {
   EXPECT_EQ(missingOf(200, true, 0), 0U);
@@ -56,4 +74,4 @@ TEST(GapCounter, LongBurstsAreNoPeriod) {
 }
 
 }  // namespace
-}  // namespace capstan::live
+}  // namespace capstan::stats

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace capstan::live {
+namespace capstan::stats {
 
 /// Counts the samples that are missing between those that came, from their own times: a sender with a steady
 /// period leaves a gap of two periods where one is missing. A sender that was held up stamps the rows that it
@@ -28,13 +28,21 @@ class GapCounter {
     last_ = t;
     if (count_++ == 0 || interval <= 0.0) return;
     span_ += std::min(interval, kSilence);
-    if (interval > kSilence) return settle();
+    if (period_ == 0.0 || interval > kSilence) credit_ = 0;
+    if (interval > kSilence) {
+      ++silences_, last_silence_ = interval;
+      return settle();
+    }
     if (period_ > 0.0) judge(std::round(interval / period_));
     intervals_[learned_++] = interval;
     if (learned_ == kLearned) learn();
   }
+  /// The next gaps have `lost` samples that came and were lost here: they are counted elsewhere.
+  void credit(std::uint64_t lost) { credit_ += lost; }
   /// Samples missing so far; those of the newest gap may still come late.
   std::uint64_t missing() const { return missing_ + gap_; }
+  std::uint64_t silences() const { return silences_; }  ///< so far
+  double lastSilence() const { return last_silence_; }  ///< length of the newest one [s]
 
  private:
   void settle() { missing_ += gap_, gap_ = 0, regular_ = 0; }
@@ -45,9 +53,11 @@ class GapCounter {
       return;
     }
     regular_ = 0;
-    if (periods > 1.0)
-      gap_ += static_cast<std::uint64_t>(periods) - 1;
-    else if (gap_ > 0)
+    if (periods > 1.0) {
+      const auto absent = static_cast<std::uint64_t>(periods) - 1, known = std::min(absent, credit_);
+      credit_ -= known;
+      gap_ += absent - known;
+    } else if (gap_ > 0)
       --gap_;
   }
 
@@ -77,9 +87,11 @@ class GapCounter {
   std::array<Block, kBlocks> blocks_{};
   std::size_t learned_ = 0, block_ = 0;
   double last_ = 0.0, period_ = 0.0, span_ = 0.0;
-  std::uint64_t count_ = 0, missing_ = 0;
-  std::uint64_t gap_ = 0;  ///< samples of the newest gaps that have not come late
-  int regular_ = 0;        ///< intervals of one period in turn
+  double last_silence_ = 0.0;
+  std::uint64_t count_ = 0, missing_ = 0, silences_ = 0;
+  std::uint64_t gap_ = 0;     ///< samples of the newest gaps that have not come late
+  std::uint64_t credit_ = 0;  ///< of credit(), not found in a gap yet
+  int regular_ = 0;           ///< intervals of one period in turn
 };
 
-}  // namespace capstan::live
+}  // namespace capstan::stats

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <utility>
+
+#include "core/tracking/sample.h"
+
+namespace capstan::live {
+
+/// Joins joint encoders, which come as messages of their own, to the motors of their stamp. Stamps of one
+/// cycle agree within kSameTime: encoders of another time would be a reference that is late or early by up to
+/// a cycle, and are not used.
+class EncoderPairing {
+ public:
+  using Clock = std::chrono::steady_clock;
+  static constexpr double kSameTime = 2e-4;              ///< [s]
+  static constexpr std::chrono::milliseconds kWait{20};  ///< of motors for their encoders
+  static constexpr std::size_t kMost = 4000;             ///< encoders that wait for motors: 4 s of 1 kHz
+
+  struct Row {
+    Clock::time_point arrival;
+    tracking::MotorSample motors;
+    std::optional<tracking::JointSample> joints;
+  };
+
+  /// `awaited`: encoders come; else a row is complete as it is.
+  explicit EncoderPairing(bool awaited) : awaited_(awaited) {}
+
+  void addMotors(Row row) { rows_.push_back(std::move(row)); }
+  void addEncoders(const tracking::JointSample& joints) {
+    joints_.push_back({joints, false});
+    if (joints_.size() > kMost) dropOldest();
+  }
+  /// Moves the oldest row to `row`, if it need not wait for its encoders any more at the time `now`.
+  bool take(Clock::time_point now, Row& row) {
+    if (rows_.empty() || !isComplete(rows_.front(), now)) return false;
+    row = std::move(rows_.front());
+    rows_.pop_front();
+    const double t = row.motors.t;
+    while (!joints_.empty() && joints_.front().sample.t < t - kSameTime) dropOldest();
+    if (!joints_.empty() && joints_.front().sample.t < t + kSameTime) {
+      row.joints = joints_.front().sample;
+      joints_.front().used = true;
+    }
+    unmatched_ += std::exchange(passed_over_, false) && !row.joints;
+    return true;
+  }
+  bool empty() const { return rows_.empty(); }
+  /// Rows without encoders before which encoders came that belong to no row: the stamps of the two do not
+  /// agree. Topics of different rates, and messages that are lost, do not count.
+  std::uint64_t unmatched() const { return unmatched_; }
+
+ private:
+  struct Encoders {
+    tracking::JointSample sample;
+    bool used = false;
+  };
+
+  bool isComplete(const Row& row, Clock::time_point now) const {
+    return !awaited_ || (!joints_.empty() && joints_.back().sample.t > row.motors.t - kSameTime) ||
+           now - row.arrival > kWait;
+  }
+  void dropOldest() {
+    passed_over_ = passed_over_ || !joints_.front().used;
+    joints_.pop_front();
+  }
+
+  const bool awaited_;
+  std::deque<Row> rows_;
+  std::deque<Encoders> joints_;
+  bool passed_over_ = false;  ///< encoders that belong to no row, since the last row
+  std::uint64_t unmatched_ = 0;
+};
+
+}  // namespace capstan::live

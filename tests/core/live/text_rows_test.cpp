@@ -1,0 +1,68 @@
+/// The last row of a connection, pipe or file.
+#include "core/live/text_rows.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <memory>
+#include <utility>
+
+#include "core/robot/description.h"
+
+namespace capstan::live {
+namespace {
+
+constexpr const char* kHeader = "t,q_m1,q_m2,q_m3\n";
+
+std::string rowsFrom(int first, int count) {
+  std::string text;
+  for (int k = first; k < first + count; ++k) text += std::to_string(1e-3 * k) + ",80,-90,-480\n";
+  return text;
+}
+
+TEST(RowParser, ARowThatIsCutOffIsDiscarded) {
+  RowParser parser("rows", robot::readDescriptionOrDefault({}), {});
+  parser.add(kHeader + rowsFrom(0, 51) + "0.052,82,-90,-48");
+  EXPECT_TRUE(parser.discardIncomplete());
+  EXPECT_FALSE(parser.discardIncomplete());
+  EXPECT_EQ(parser.take(true)->rows(), 51U);
+  parser.add("0.053,8");
+  EXPECT_TRUE(parser.discardIncomplete());
+  EXPECT_FALSE(parser.take(true));
+  parser.restart();
+  parser.add("t,q_m1");
+  EXPECT_FALSE(parser.discardIncomplete()) << "a header is no row";
+}
+
+/// The last row has no line feed: of a file it is a row, of a pipe it may be cut off.
+TEST(TextRows, OnlyAFileHasALastRowWithoutALineFeed) {
+  const int before = ::dup(STDIN_FILENO);
+  const auto rowsOf = [](int input) {
+    ::dup2(input, STDIN_FILENO);
+    const robot::Description robot = robot::readDescriptionOrDefault({});
+    TextRows rows(openByteStream(parseAddress("-", "--live")), RowParser("-", robot, {}));
+    std::size_t count = 0;
+    for (ReadState state = ReadState::kNothing; state != ReadState::kEnded;) {
+      state = rows.read(std::chrono::milliseconds(100));
+      if (const auto table = rows.take()) count += table->rows();
+    }
+    return std::pair(count, rows.incomplete());
+  };
+  const std::string text = kHeader + rowsFrom(0, 60) + "0.060,80,-90,-48";
+  int pipe[2];
+  ASSERT_EQ(::pipe(pipe), 0);
+  ASSERT_EQ(::write(pipe[1], text.data(), text.size()), static_cast<ssize_t>(text.size()));
+  ::close(pipe[1]);
+  EXPECT_EQ(rowsOf(pipe[0]), std::pair(std::size_t{60}, std::uint64_t{1}));
+  ::close(pipe[0]);
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::tmpfile(), std::fclose);
+  std::fputs(text.c_str(), file.get());
+  std::rewind(file.get());
+  EXPECT_EQ(rowsOf(::fileno(file.get())), std::pair(std::size_t{61}, std::uint64_t{0}));
+  ::dup2(before, STDIN_FILENO);
+  ::close(before);
+}
+
+}  // namespace
+}  // namespace capstan::live
