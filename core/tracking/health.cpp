@@ -126,18 +126,27 @@ void addCameras(const TrackReport& report, const HealthLimits& limits, Checks& c
   add(checks, std::move(check));
 }
 
+std::string detectionText(const TrackReport& report, int side) {
+  const std::uint64_t blocked = report.blocked[static_cast<std::size_t>(side)];
+  if (report.unblocked(side) == 0) return fmt::format("all {} images were blocked deliberately", blocked);
+  const double rate = 100.0 * report.detectionRate(side);
+  if (blocked == 0) return fmt::format("{:.1f} % of images", rate);
+  return fmt::format("{:.1f} % of {} images; {} more were blocked deliberately", rate, report.unblocked(side),
+                     blocked);
+}
+
+/// Images whose view was blocked deliberately are no evidence of a fault.
 void addDetection(const TrackReport& report, const HealthLimits& limits, Checks& checks) {
   if (report.frames == 0) return;
   for (const int side : {0, 1}) {
     const std::string name = side == 0 ? "left" : "right";
     const double rate = report.detectionRate(side);
     add(checks, {"detection_" + name, fmt::format("marker in the {} image", name),
-                 judge(1.0 - rate, limits.undetected, limits.undetected_fail),
-                 fmt::format("{:.1f} % of images", 100.0 * rate),
+                 judge(1.0 - rate, limits.undetected, limits.undetected_fail), detectionText(report, side),
                  fmt::format("at least {:.0f} %", 100.0 * (1.0 - limits.undetected)),
-                 fmt::format("The {} camera does not see the marker for {:.0f} % of the time. Remove what "
+                 fmt::format("The marker was not found in {:.0f} % of the {} camera's images. Remove what "
                              "hides it, or set the marker's colour and the exposure again.",
-                             name, 100.0 * (1.0 - rate))});
+                             100.0 * (1.0 - rate), name)});
   }
 }
 
