@@ -79,9 +79,7 @@ class RecordingSlot {
   /// Whoever opens the recording later learns that it has gaps.
   void noteGaps() {
     const std::uint64_t dropped = recorder_->stats().dropped;
-    if (dropped > 0)
-      note(t_, "recorder",
-           std::to_string(dropped) + " samples are missing: the disk was slower than the data");
+    if (dropped > 0) note(t_, "recorder", recording::gapsText(dropped));
   }
 
   base::DueTimes estimates_;
