@@ -168,7 +168,8 @@ ExitCode identify(IdentifyArguments& arguments, const CLI::App& command) {
 void addIdentify(CLI::App& app, ExitCode& exit) {
   auto arguments = std::make_shared<IdentifyArguments>();
   CLI::App* command = app.add_subcommand(
-      "identify", "Find pulley radius, cable stiffness and damping from a recording with cameras");
+      "identify",
+      "Find pulley radius, cable stiffness, cable damping and joint friction from recordings with cameras");
   command->add_option(
       "REC", arguments->files,
       "recordings of one robot and rig: session (.capstan) or " + recording::measuredTableKinds());

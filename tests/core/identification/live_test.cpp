@@ -210,16 +210,16 @@ TEST(Live, KeepsNoMoreThanItsLongest) {
 
 TEST(Live, SaysWhyNothingComes) {
   LiveExtent extent;
-  EXPECT_NE(wordsOf(extent).find("waiting"), std::string::npos);
+  EXPECT_NE(wordsOf(extent).find("Waiting"), std::string::npos);
   extent.motors = 5000;
   extent.seconds = 5.0;
   EXPECT_NE(wordsOf(extent).find("no camera"), std::string::npos);
   extent.cameras = 70;
-  EXPECT_NE(wordsOf(extent).find("not seen"), std::string::npos);
+  EXPECT_NE(wordsOf(extent).find("do not detect"), std::string::npos);
   extent.registered = false;
   EXPECT_NE(wordsOf(extent).find("not registered"), std::string::npos);
   extent = {.seconds = 12.4, .motors = 12400, .cameras = 180, .observations = 160};
-  EXPECT_EQ(wordsOf(extent), "12 s, tip seen 160 times");
+  EXPECT_EQ(wordsOf(extent), "12 s collected; the tip was observed 160 times.");
 }
 
 TEST(Live, WhatCannotBeSeenIsWeakAndStaysAsItIs) {
@@ -231,8 +231,8 @@ TEST(Live, WhatCannotBeSeenIsWeakAndStaysAsItIs) {
   ASSERT_EQ(rows.size(), 2U);
   EXPECT_TRUE(rows[0].seen);
   EXPECT_FALSE(rows[1].seen);
-  EXPECT_EQ(rows[1].value, "weak");
-  EXPECT_NE(rows[1].words.find("move faster"), std::string::npos) << rows[1].words;
+  EXPECT_EQ(rows[1].value, "not observable");
+  EXPECT_NE(rows[1].words.find("Move faster"), std::string::npos) << rows[1].words;
   EXPECT_EQ(session.live.summary().find("b_e1"), std::string::npos);
   EXPECT_EQ(session.live.accept().drives[0].cable_damping, file.drives[0].cable_damping);
 }
