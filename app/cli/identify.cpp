@@ -113,6 +113,7 @@ void writeReport(const IdentifyArguments& arguments, const Findings& found) {
   const auto& [set, dual, batch, choice] = *found.identified;
   const Output output(arguments.json);
   output.text(textOf(dual ? &*dual : nullptr, batch ? &*batch : nullptr, found.trueValues()));
+  if (choice.method) output.text("\n" + identifiedParagraph(found.identified->estimates()));
   output.json(cli::documentOf(found));
   if (!arguments.trace.empty()) writeTrace(*dual, set, arguments.trace);
 }

@@ -9,6 +9,7 @@
 #include "app/cli/console.h"
 #include "core/base/units.h"
 #include "core/experiments/identified.h"
+#include "core/identification/estimate_text.h"
 
 namespace capstan::cli {
 namespace {
@@ -180,6 +181,10 @@ std::string textOf(const DualUkfReport* dual, const BatchReport* batch, const Tr
   if (dual) text += dualText(*dual);
   if (batch) text += batchText(*batch, dual);
   return text;
+}
+
+std::string identifiedParagraph(const std::vector<Estimate>& estimates) {
+  return wrapped("", identification::identifiedText(estimates), "");
 }
 
 nlohmann::json jsonOf(const DualUkfReport& report, const TrueValues& truth) {
