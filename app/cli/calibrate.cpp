@@ -127,11 +127,8 @@ void checkOut(const CalibrateArguments& arguments, const vision::CalibrationInpu
   std::vector<std::string> names = {kLeft, kRight};
   if (arguments.opencv) names.emplace_back(kOpenCv);
   checkOutputFolder("--out", arguments.out, names, inputs);
-  for (const std::string& name : names) {
-    const std::filesystem::path file = std::filesystem::path(arguments.out) / name;
-    if (!arguments.force && std::filesystem::exists(file))
-      refuseFile(file.string(), "exists", "Give another --out, or --force");
-  }
+  for (const std::string& name : names)
+    if (!arguments.force) refuseExisting("--out", std::filesystem::path(arguments.out) / name);
 }
 
 ExitCode calibrate(CalibrateArguments& arguments) {

@@ -131,13 +131,12 @@ void checkOut(const ConvertArguments& arguments, const std::string& target) {
   if (target == "csv-folder" || target == "png") {
     checkOutputFolder("OUT", arguments.out, {}, inputs);
     if (!arguments.force && fs::is_directory(arguments.out) && !fs::is_empty(arguments.out))
-      refuseFile(arguments.out, "is not empty", "Give another folder, or --force");
+      refuseFile(arguments.out, "is not empty", "Give another folder, or add --force to write into this one");
     checkOutputs({{"--json", arguments.json}}, inputs);
     return;
   }
   checkOutputs({{"OUT", arguments.out}, {"--json", arguments.json}}, inputs);
-  if (!arguments.force && fs::exists(arguments.out))
-    refuseFile(arguments.out, "exists", "Give another name, or --force");
+  if (!arguments.force) refuseExisting("OUT", arguments.out);
 }
 
 ExitCode convert(const ConvertArguments& arguments) {

@@ -113,6 +113,7 @@ void writeReport(const IdentifyArguments& arguments, const Findings& found) {
   const auto& [set, dual, batch, choice] = *found.identified;
   const Output output(arguments.json);
   output.text(textOf(dual ? &*dual : nullptr, batch ? &*batch : nullptr, found.trueValues()));
+  if (choice.method) output.text("\n" + identifiedParagraph(found.identified->estimates()));
   output.json(cli::documentOf(found));
   if (!arguments.trace.empty()) writeTrace(*dual, set, arguments.trace);
 }
@@ -168,7 +169,8 @@ ExitCode identify(IdentifyArguments& arguments, const CLI::App& command) {
 void addIdentify(CLI::App& app, ExitCode& exit) {
   auto arguments = std::make_shared<IdentifyArguments>();
   CLI::App* command = app.add_subcommand(
-      "identify", "Find pulley radius, cable stiffness and damping from a recording with cameras");
+      "identify",
+      "Find pulley radius, cable stiffness, cable damping and joint friction from recordings with cameras");
   command->add_option(
       "REC", arguments->files,
       "recordings of one robot and rig: session (.capstan) or " + recording::measuredTableKinds());

@@ -54,7 +54,8 @@ std::string parameterTable(const DriveFindings& findings) {
 
 std::string offsetsText(const DriveFindings& findings) {
   const auto& report = findings.report;
-  std::string text = fmt::format("encoder zero [{}], beside the robot file's hard stop:\n", unitOf(findings));
+  std::string text =
+      fmt::format("encoder zero relative to the robot file's hard stop [{}]:\n", unitOf(findings));
   for (const auto& offset : report.offsets)
     text +=
         "  " + padded(nameOf(offset.title), 32) +
@@ -62,8 +63,9 @@ std::string offsetsText(const DriveFindings& findings) {
   constexpr double kFollows = 0.9;
   if (std::abs(report.offset_load_correlation) > kFollows)
     text += fmt::format(
-        "  they change with the mean load, {:+.1f} {} per {} (correlation {:+.2f}): probably cable stretch "
-        "under constant load, not encoder zeros; compare --offsets shared\n",
+        "  The zeros change with the mean load by {:+.1f} {} per {} (correlation {:+.2f}). Probably the "
+        "cable is "
+        "stretched by the load, and the encoder has one zero. Compare with --offsets shared.\n",
         scaleOf(findings) * report.offset_by_load, unitOf(findings), findings.sliding ? "N" : "N·m",
         report.offset_load_correlation);
   return text;
@@ -79,8 +81,8 @@ std::string scoreTable(const DriveFindings& findings) {
     text += tested ? fmt::format("{:.3f}\n", scaleOf(findings) * score.held_out.rms) : "\n";
   }
   text += findings.offsets == OffsetRule::kShared
-              ? "  one encoder zero for all recordings, from the training\n"
-              : "  every recording, held out or not, has its own encoder zero: the mean of its residuals\n";
+              ? "  All recordings have one encoder zero, that of the training.\n"
+              : "  Every recording, held out or not, has its own encoder zero: the mean of its residuals.\n";
   return text;
 }
 
@@ -131,12 +133,14 @@ nlohmann::json jsonOf(const Eigen::MatrixXd& matrix) {
 std::string textOf(const DriveFindings& findings) {
   const auto& report = findings.report;
   std::string text = fmt::format(
-      "drive: {} after {} iterations, {} recordings, {} observations, {:.1f} % down-weighted, {:.1f} s of "
-      "computing\n  residuals {:.2f} {}",
-      base::nameOf(report.end), report.iterations, findings.training.size(), report.observations,
+      "drive: {} recordings with {} observations ({} after {} iterations).\n  {:.1f} % of the observations "
+      "are "
+      "down-weighted as outliers. Computing took {:.1f} s.\n  The residual is {:.2f} {}",
+      findings.training.size(), report.observations, base::nameOf(report.end), report.iterations,
       100.0 * report.outliers, report.seconds, scaleOf(findings) * report.angle_noise, unitOf(findings));
   if (report.torque_noise > 0.0) text += fmt::format(" and {:.4f} N·m", report.torque_noise);
-  if (report.torque_sign < 0.0) text += "; tau_m1 is the reaction of the drive: its sign is inverted";
+  text += ".";
+  if (report.torque_sign < 0.0) text += " tau_m1 is the reaction of the drive, so its sign is inverted.";
   return text + "\n\n" + parameterTable(findings) + "\n" + offsetsText(findings) + "\n" +
          scoreTable(findings) + (findings.held_out.empty() ? "" : "\n") + heldOutTable(findings);
 }

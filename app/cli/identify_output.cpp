@@ -9,6 +9,7 @@
 #include "app/cli/console.h"
 #include "core/base/units.h"
 #include "core/experiments/identified.h"
+#include "core/identification/estimate_text.h"
 
 namespace capstan::cli {
 namespace {
@@ -54,19 +55,24 @@ std::string table(const std::vector<std::pair<std::string, const std::vector<Est
   return text;
 }
 
-/// Text "  name: words", wrapped at spaces to the width of a terminal.
-std::string said(const std::string& name, const std::string& words) {
+/// `words` behind `begin`, wrapped at spaces to the width of a terminal; further lines begin with `indent`.
+std::string wrapped(const std::string& begin, const std::string& words, const std::string& indent) {
   constexpr std::size_t kWidth = 100;
-  std::string text, line = "  " + name + ":";
+  std::string text, line = begin;
   std::istringstream in(words);
   for (std::string word; in >> word;) {
     if (line.size() + 1 + word.size() > kWidth) {
       text += line + "\n";
-      line = "     ";
+      line = indent;
     }
-    line += " " + word;
+    line += (line.empty() ? "" : " ") + word;
   }
   return text + line + "\n";
+}
+
+/// Text "  name: words".
+std::string said(const std::string& name, const std::string& words) {
+  return wrapped("  " + name + ":", words, "     ");
 }
 
 /// `text` without its numbers, to compare two texts.
@@ -89,38 +95,51 @@ std::string advice(const std::vector<Estimate>& estimates, const DualUkfReport* 
   return text;
 }
 
+/// "+0.12 ± 0.03, -0.10 ± 0.03, +0.01 ± 0.05" of x, y, z.
+std::string axesText(const Eigen::Vector3d& value, const Eigen::Vector3d& sigma) {
+  std::string text;
+  for (int i = 0; i < 3; ++i)
+    text += fmt::format("{}{:+.2f} ± {:.2f}", i > 0 ? ", " : "", value(i), sigma(i));
+  return text;
+}
+
 std::string poseText(const identification::CameraPose& pose, const identification::CameraPose& sigma) {
-  std::string text = "  camera: rotated by";
-  for (int i = 0; i < 3; ++i)
-    text += fmt::format(" {:+.2f} ± {:.2f}", base::toDegrees(pose.rotation(i)),
-                        base::toDegrees(sigma.rotation(i)));
-  text += " deg, shifted by";
-  for (int i = 0; i < 3; ++i)
-    text += fmt::format(" {:+.2f} ± {:.2f}", base::toMillimetres(pose.shift(i)),
-                        base::toMillimetres(sigma.shift(i)));
-  return text + fmt::format(" mm, late by {:+.1f} ± {:.1f} ms\n", 1e3 * pose.delay, 1e3 * sigma.delay);
+  constexpr double kDegrees = base::toDegrees(1.0), kMillimetres = base::toMillimetres(1.0);
+  return "  The cameras differ from their registration by\n" +
+         fmt::format("    rotation (x, y, z) {} deg\n",
+                     axesText(kDegrees * pose.rotation, kDegrees * sigma.rotation)) +
+         fmt::format("    translation (x, y, z) {} mm\n",
+                     axesText(kMillimetres * pose.shift, kMillimetres * sigma.shift)) +
+         fmt::format("    delay of the time stamps {:+.1f} ± {:.1f} ms\n", 1e3 * pose.delay,
+                     1e3 * sigma.delay);
 }
 
 std::string dualText(const DualUkfReport& report) {
-  std::string text = fmt::format(
-      "dual UKF: {} after {:.0f} s, {} observations, NIS/3 {:.2f}, {:.1f} % down-weighted, {:.1f} s of "
-      "computing\n",
-      base::nameOf(report.end), report.used, report.observations, report.nis, 100.0 * report.outliers,
-      report.seconds);
+  if (report.estimates.empty()) return fmt::format("dual UKF: no result ({}).\n", base::nameOf(report.end));
+  std::string text = wrapped(
+      "dual UKF:",
+      fmt::format("{:.0f} s of data with {} camera observations ({}). NIS / 3 is {:.2f}; 1 is consistent. "
+                  "{:.1f} % of the observations are down-weighted as outliers. Computing took {:.1f} s.",
+                  report.used, report.observations, base::nameOf(report.end), report.nis,
+                  100.0 * report.outliers, report.seconds),
+      " ");
   for (std::size_t i = 0; i < report.estimates.size(); ++i)
     text += said(report.estimates[i].parameter.name(),
                  experiments::progressWords(report.convergence[i], report.estimates[i]));
-  return report.estimates.empty() ? text : text + poseText(report.camera, report.camera_sigma);
+  return text + poseText(report.camera, report.camera_sigma);
 }
 
 std::string batchText(const BatchReport& report, const DualUkfReport* dual) {
-  return fmt::format(
-             "batch: {} after {} iterations, {} observations, residual {:.2f} → {:.2f} σ, {:.1f} % "
-             "down-weighted, {:.1f} s of computing\n",
-             base::nameOf(report.end), report.iterations, report.observations, report.residual_before,
-             report.residual_after, 100.0 * report.outliers, report.seconds) +
-         advice(report.estimates, dual) +
-         (report.estimates.empty() ? std::string() : poseText(report.camera, report.camera_sigma));
+  if (report.estimates.empty()) return fmt::format("batch: no result ({}).\n", base::nameOf(report.end));
+  return wrapped("batch:",
+                 fmt::format(
+                     "{} camera observations ({} after {} iterations). The RMS residual is {:.2f} σ with "
+                     "the nominal values and {:.2f} σ with the identified ones; 1 is noise alone. {:.1f} "
+                     "% of the observations are down-weighted as outliers. Computing took {:.1f} s.",
+                     report.observations, base::nameOf(report.end), report.iterations, report.residual_before,
+                     report.residual_after, 100.0 * report.outliers, report.seconds),
+                 " ") +
+         advice(report.estimates, dual) + poseText(report.camera, report.camera_sigma);
 }
 
 nlohmann::json estimatesJson(const std::vector<Estimate>& estimates, const TrueValues& truth) {
@@ -162,6 +181,10 @@ std::string textOf(const DualUkfReport* dual, const BatchReport* batch, const Tr
   if (dual) text += dualText(*dual);
   if (batch) text += batchText(*batch, dual);
   return text;
+}
+
+std::string identifiedParagraph(const std::vector<Estimate>& estimates) {
+  return wrapped("", identification::identifiedText(estimates), "");
 }
 
 nlohmann::json jsonOf(const DualUkfReport& report, const TrueValues& truth) {

@@ -15,12 +15,16 @@ namespace capstan::cli {
 /// True parameters of a simulated recording in the order of the set, for comparison only; empty: unknown.
 using TrueValues = std::vector<double>;
 
-/// Table of the results of one or both methods: value ± σ and change from nominal, with the truth if known.
+/// Table of the results of one or both methods: value ± σ and change from nominal, with the truth if known;
+/// then what each method did, and advice.
 std::string textOf(const identification::DualUkfReport* dual, const identification::BatchReport* batch,
                    const TrueValues& truth);
 
 nlohmann::json jsonOf(const identification::DualUkfReport& report, const TrueValues& truth);
 nlohmann::json jsonOf(const identification::BatchReport& report, const TrueValues& truth);
+
+/// Paragraph on the parameters that the estimates identify, and on those that keep their values.
+std::string identifiedParagraph(const std::vector<identification::Estimate>& estimates);
 
 /// Writes the trace as CSV in SI: t, then value and standard deviation of every parameter. Throws
 /// base::InputError when `path` cannot be written.

@@ -1,5 +1,7 @@
 #include "app/cli/outputs.h"
 
+#include <fmt/format.h>
+
 #include "app/cli/console.h"
 #include "core/base/error.h"
 #include "core/base/part_file.h"
@@ -60,6 +62,12 @@ void checkOutputFolder(const std::string& option, const fs::path& path, const st
   } catch (const base::InputError& error) {
     refuseOption(option, path.string(), error.fault().reason, "Give a folder that files can be written into");
   }
+}
+
+void refuseExisting(const std::string& option, const fs::path& path) {
+  if (fs::exists(path))
+    refuseFile(path.string(), "exists already",
+               fmt::format("Give another {}, or add --force to overwrite it", option));
 }
 
 std::vector<std::string> withFilesOf(const simulation::SimulationRequest& request,

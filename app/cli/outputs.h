@@ -22,6 +22,9 @@ void checkOutputs(const std::vector<OutputFile>& outputs, const std::vector<std:
 void checkOutputFolder(const std::string& option, const std::filesystem::path& path,
                        const std::vector<std::string>& names, const std::vector<std::string>& inputs);
 
+/// Refuses the output file `path`, which `option` names, if it exists. The remedy names --force.
+void refuseExisting(const std::string& option, const std::filesystem::path& path);
+
 /// Returns `inputs` and the files that the simulation reads.
 std::vector<std::string> withFilesOf(const simulation::SimulationRequest& request,
                                      std::vector<std::string> inputs);

@@ -81,12 +81,10 @@ ExitCode record(const RecordArguments& arguments) {
                {"live", jsonOf(status.sides)}});
   if (!stats.error.empty()) notice(stats.error);
   if (!status.error.empty()) notice(status.error);
-  const bool whole = stats.dropped + stats.lost == 0;
-  if (!whole && stats.error.empty())
-    notice(
-        "the recording is not complete: the disk is slower than the data. Record to a faster disk, or fewer "
-        "images");
-  return whole && stats.error.empty() && status.error.empty() && report.motor_samples > 0 ? kOk : kFailed;
+  const std::uint64_t missing = stats.dropped + stats.lost;
+  if (missing > 0 && stats.error.empty()) notice(recording::gapsText(missing));
+  return missing == 0 && stats.error.empty() && status.error.empty() && report.motor_samples > 0 ? kOk
+                                                                                                 : kFailed;
 }
 
 }  // namespace

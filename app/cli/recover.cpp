@@ -69,8 +69,7 @@ nlohmann::json documentOf(const recording::Recovery& recovery, const RecoverArgu
 ExitCode recover(const RecoverArguments& arguments) {
   const Output output(arguments.json);
   checkOutputs({{"OUT", arguments.out}, {"--json", arguments.json}}, {arguments.in, arguments.robot});
-  if (!arguments.force && std::filesystem::exists(arguments.out))
-    refuseFile(arguments.out, "exists", "Give another name, or --force");
+  if (!arguments.force) refuseExisting("OUT", arguments.out);
   base::Progress progress;
   recording::Recovery recovery;
   {

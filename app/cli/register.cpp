@@ -96,7 +96,7 @@ ExitCode run(const RegisterArguments& arguments) {
     document["difference"] = cli::documentOf(difference);
   }
   const Output output(arguments.json);
-  output.text(text);
+  output.text(text + "\n" + residualTable(found));
   output.json(document);
   return kOk;
 }

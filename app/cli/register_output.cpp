@@ -4,6 +4,8 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <functional>
+#include <numeric>
 
 #include "app/cli/console.h"
 #include "core/registration/pair_words.h"
@@ -60,6 +62,26 @@ nlohmann::json documentOf(const Registered& found) {
           {"rejected", rejected},
           {"skipped", skipped},
           {"warning", registration::warningOf(fit)}};
+}
+
+std::string residualTable(const Registered& found) {
+  constexpr std::size_t kMost = 20, kLargest = 10;
+  const auto& fit = found.fit;
+  std::vector<std::size_t> order(fit.residuals.size());
+  std::iota(order.begin(), order.end(), 0);
+  const bool all = order.size() <= kMost;
+  if (!all)
+    std::ranges::stable_sort(order, std::greater<>(), [&](std::size_t i) { return fit.residuals[i]; });
+  std::string text = "   row   residual [mm]\n";
+  for (std::size_t i = 0; i < (all ? order.size() : kLargest); ++i) {
+    const std::size_t at = order[i];
+    text += fmt::format("{:6}   {:13.3f}   {}\n", found.points.rows[at], 1e3 * fit.residuals[at],
+                        fit.used[at] ? "used" : "rejected");
+  }
+  if (!all)
+    text += fmt::format("These are the {} largest residuals. The other {} are {:.3f} mm or less.\n", kLargest,
+                        order.size() - kLargest, 1e3 * fit.residuals[order[kLargest]]);
+  return text;
 }
 
 }  // namespace capstan::cli

@@ -28,4 +28,8 @@ Registered registerRows(std::vector<registration::PairRow> rows,
 
 nlohmann::json documentOf(const Registered& found);
 
+/// Table of the residuals for people, row by row [mm], and whether the row was used. Of more than 20 rows,
+/// the ten with the largest residuals and a line about the others.
+std::string residualTable(const Registered& found);
+
 }  // namespace capstan::cli

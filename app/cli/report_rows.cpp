@@ -8,6 +8,7 @@
 
 #include "app/cli/html_text.h"
 #include "app/cli/track_output.h"
+#include "core/identification/estimate_text.h"
 #include "core/identification/live_text.h"
 #include "core/tracking/transmission_text.h"
 
@@ -90,15 +91,6 @@ std::string found(const std::vector<Estimate>& estimates) {
   return values.empty() ? "nothing" : fmt::format("{}", fmt::join(values, ", "));
 }
 
-std::string weak(const std::vector<Estimate>& estimates) {
-  std::vector<std::string> names;
-  for (const Estimate& estimate : estimates)
-    if (!estimate.seen) names.push_back(estimate.parameter.name());
-  if (names.empty()) return "The motion shows every parameter.";
-  return fmt::format("This motion shows too little of {}: {} the nominal value.", fmt::join(names, ", "),
-                     names.size() == 1 ? "it keeps" : "they keep");
-}
-
 ReportRow foundRow(const IdentifyAndTrack& after) {
   ReportRow row{"2 identified", {}, "nothing", {}};
   const bool any = after.identified && after.identified->choice.method;
@@ -108,10 +100,12 @@ ReportRow foundRow(const IdentifyAndTrack& after) {
   } else if (!after.fault.empty()) {
     row.sentence = fmt::format("Nothing could be identified: {}.", after.fault);
   } else if (any) {
+    const std::string kept = identification::keptText(after.identified->estimates());
     row.sentence = fmt::format(
         "From {:.0f} s of motors and cameras alone, by the {} method; in percent: change from the nominal "
         "value. {}",
-        after.duration, base::nameOf(*after.identified->choice.method), weak(after.identified->estimates()));
+        after.duration, base::nameOf(*after.identified->choice.method),
+        kept.empty() ? "Every parameter is observable." : kept);
   }
   return row;
 }

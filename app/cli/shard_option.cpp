@@ -58,9 +58,8 @@ void addShardOption(CLI::App& command, ShardArguments& arguments, const std::str
                                               "`capstan-cli merge` makes the results of all parts");
   command
       .add_flag("--stored-only", arguments.stored_only,
-                "results of the trials that are stored in --out; nothing is computed")
-      ->excludes(shard)
-      ->group("");
+                "only write the results of the trials that are stored in --out; nothing is computed")
+      ->excludes(shard);
 }
 
 void refuseShardOption(CLI::App& command, const std::string& reason) {

@@ -27,8 +27,7 @@ ExitCode simulate(const SimulateArguments& arguments) {
   if (std::filesystem::path(arguments.out).extension() != recording::kSessionSuffix)
     refuseOption("--out", arguments.out, "does not end in .capstan",
                  "Give a name with .capstan; `convert` makes a table or a video of it");
-  if (!arguments.force && std::filesystem::exists(arguments.out))
-    refuseFile(arguments.out, "exists", "Give another --out, or --force");
+  if (!arguments.force) refuseExisting("--out", arguments.out);
   const auto source = makeSimulation(arguments.simulation);
   base::Progress progress;
   {

@@ -102,6 +102,10 @@ std::string textOf(const TrackReport& report, const tracking::SourceInfo& info, 
     text += fmt::format("detected       left {}, right {} (full-frame search: {}, {})\n",
                         percent(report.detectionRate(0)), percent(report.detectionRate(1)),
                         report.full_frame[0], report.full_frame[1]);
+  if (report.blocked[0] + report.blocked[1] > 0)
+    text +=
+        fmt::format("blocked        left {}, right {} images, deliberately: not counted in the line above\n",
+                    report.blocked[0], report.blocked[1]);
   text += fmt::format("gate           {}\n", gateText(report));
   if (const auto nis = nisVerdict(report)) {
     text += fmt::format("NIS / 3        {:.3f} over accepted camera samples, 95 % band {:.3f} … {:.3f}: {}\n",
@@ -147,6 +151,7 @@ nlohmann::json jsonOf(const TrackReport& report, const tracking::SourceInfo& inf
           {"camera_samples", report.camera_samples},
           {"frames", report.frames},
           {"references", report.errors.ukf().count()},
+          {"blocked", report.blocked},
           {"detected", report.detected},
           {"full_frame", report.full_frame},
           {"gates", gates},

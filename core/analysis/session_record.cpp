@@ -66,10 +66,14 @@ base::Table reportTable(const SessionRecord& record) {
            fmt::format("from {:.3f} to {:.3f} s", report.first_t, report.last_t));
   rows.addCount("motor samples", report.motor_samples);
   rows.addCount("camera samples", report.camera_samples, fmt::format("{} pairs of images", report.frames));
-  for (const int side : {0, 1})
-    rows.addShare(side == 0 ? "marker detected, left" : "marker detected, right", report.detectionRate(side),
-                  fmt::format("{} by the search in the whole frame",
-                              report.full_frame[static_cast<std::size_t>(side)]));
+  for (const int side : {0, 1}) {
+    const auto at = static_cast<std::size_t>(side);
+    const char* name = side == 0 ? "left" : "right";
+    if (report.blocked[at] > 0)
+      rows.addCount(fmt::format("blocked deliberately, {}", name), report.blocked[at], "images");
+    rows.addShare(fmt::format("marker detected, {}", name), report.detectionRate(side),
+                  fmt::format("{} by the search in the whole frame", report.full_frame[at]));
+  }
   for (const auto& [gate, name] : base::NamesOf<Gate>::value)
     if (report.gates[static_cast<std::size_t>(gate)] > 0)
       rows.addShare("gate: " + std::string(name), report.gateShare(gate), "of camera samples");

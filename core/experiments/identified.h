@@ -29,7 +29,7 @@ Choice choose(Method requested, const identification::DualUkfReport* dual,
 bool foundSomething(const std::string& end);
 
 /// Text of identification::wordsOf(); where σ has not reached its goal, with both numbers:
-/// "about 90 s more of this motion (σ is 8.3 %, its goal 5 %)".
+/// "about 90 s more of this motion are needed (σ is 8.3 %, its goal 5 %)".
 std::string progressWords(const identification::Convergence& convergence,
                           const identification::Estimate& estimate);
 

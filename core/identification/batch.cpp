@@ -259,11 +259,13 @@ void describe(const OutputError& error, const ParameterSet& set, const VectorXd&
     Visibility visibility = after.parameters[static_cast<std::size_t>(i)];
     visibility.stated = sigma(i);
     visibility.seen = sigma(i) < kSeenShare * set[i].prior_sigma;
-    Estimate estimate{set[i], error.scale()(i) * x(i), sigma(i), visibility.seen, {}};
-    if (!estimate.seen || estimate.sigma > set[i].goal)
+    Estimate estimate{set[i], error.scale()(i) * x(i), sigma(i), visibility.seen, {}, {}};
+    if (!estimate.seen || estimate.sigma > set[i].goal) {
+      estimate.weakness = weaknessOf(set, i, visibility, report.observations);
       estimate.advice = adviceFor(set, i, visibility, report.observations);
+    }
     if (estimate.seen && std::abs(estimate.log) > 0.999 * set[i].bound)
-      estimate.advice = set[i].words() + " ran into its bound: the model does not explain this recording";
+      estimate.advice = set[i].words() + " reached its bound. The model does not explain this recording.";
     report.estimates.push_back(estimate);
   }
 }

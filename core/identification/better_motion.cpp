@@ -147,13 +147,14 @@ std::string wordsOf(const MotionProposal& proposal, const ParameterSet& set) {
   for (const int i : proposal.weak) {
     const auto at = static_cast<std::size_t>(i);
     helps = helps || proposal.then[at] < kHelps * proposal.now[at];
-    gains.push_back(fmt::format("{} {:.2g} %, now {:.2g} %", set[i].name(), 100.0 * proposal.then[at],
-                                100.0 * proposal.now[at]));
+    gains.push_back(fmt::format("{} from {:.2g} % to {:.2g} %", set[i].name(), 100.0 * proposal.now[at],
+                                100.0 * proposal.then[at]));
   }
   return fmt::format(
-      "{}{:.0f} s about {}, {}, {:.0f} mm by ±{}, ±{}, ±{:.0f} mm at {:.2f}, {:.2f}, {:.2f} Hz; predicted σ: "
-      "{}",
-      helps ? "" : "No motion helps much. The best one: ", motion.duration, degrees(motion.centre(0)),
+      "{}The joints oscillate for {:.0f} s about {}, {}, {:.0f} mm by ±{}, ±{}, ±{:.0f} mm at {:.2f}, "
+      "{:.2f}, "
+      "{:.2f} Hz. The predicted change of σ is: {}.",
+      helps ? "" : "No motion helps much. This is the best one. ", motion.duration, degrees(motion.centre(0)),
       degrees(motion.centre(1)), base::toMillimetres(motion.centre(2)), degrees(motion.amplitude(0)),
       degrees(motion.amplitude(1)), base::toMillimetres(motion.amplitude(2)), motion.frequency(0),
       motion.frequency(1), motion.frequency(2), fmt::join(gains, "; "));

@@ -53,11 +53,11 @@ std::string wordsOf(const Convergence& convergence, const Estimate& estimate) {
   constexpr double kLong = 3600.0;
   if (convergence.settled) return fmt::format("settled after {:.0f} s", *convergence.settled_at);
   if (!estimate.seen && !estimate.advice.empty()) return estimate.advice;
-  if (!convergence.time_needed) return "too early to predict how long";
-  if (*convergence.time_needed <= 0.0) return "precise, but still moving";
+  if (!convergence.time_needed) return "it is too early to predict the time that is still needed";
+  if (*convergence.time_needed <= 0.0) return "σ has reached its goal, but the value still changes";
   if (*convergence.time_needed > kLong)
-    return "more than an hour of this motion: another motion will show more";
-  return fmt::format("about {:.0f} s more of this motion", std::ceil(*convergence.time_needed));
+    return "more than an hour of this motion is needed: another motion determines it sooner";
+  return fmt::format("about {:.0f} s more of this motion are needed", std::ceil(*convergence.time_needed));
 }
 
 }  // namespace capstan::identification

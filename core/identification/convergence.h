@@ -32,7 +32,8 @@ inline constexpr double kRest = 20.0;
 /// about linearly with time, so time_needed is extrapolated from its rate in the last kRest seconds.
 Convergence convergenceOf(const Trace& trace, const ParameterSet& set, int i);
 
-/// Text for people: "settled after 41 s", "about 90 s more of this motion", or the advice of the estimate.
+/// Text for people: "settled after 41 s", "about 90 s more of this motion are needed", or the advice of the
+/// estimate.
 std::string wordsOf(const Convergence& convergence, const Estimate& estimate);
 
 }  // namespace capstan::identification

@@ -15,18 +15,18 @@ const char* helpFor(DriveQuantity quantity) {
   using Q = DriveQuantity;
   switch (quantity) {
     case Q::kLinkRadius:
-      return "move over a larger part of the joint's range";
+      return "Move over a larger part of the joint's range.";
     case Q::kStiffness:
-      return "record several loads, and the motor torque";
+      return "Record several loads, and the motor torque.";
     case Q::kExponent:
-      return "record higher loads: the cable looks linear at these";
+      return "Record higher loads: the cable is nearly linear at these.";
     case Q::kCoulomb:
-      return "reverse the motion more often, under load";
+      return "Reverse the motion more often, under load.";
     case Q::kMotorCoulomb:
     case Q::kMotorViscous:
-      return "record the motor torque at several speeds";
+      return "Record the motor torque at several speeds.";
     default:
-      return "move faster, and at several speeds";
+      return "Move faster, and at several speeds.";
   }
 }
 
@@ -37,11 +37,11 @@ DriveEstimate estimateOf(const DriveParameters& parameters, const DriveFit::Held
   estimate.seen = estimate.sigma < kSeenShare * parameter.prior_sigma;
   if (!estimate.seen) {
     estimate.advice =
-        parameter.words() + " is not observable in these recordings; " + helpFor(parameter.quantity);
+        parameter.words() + " is not observable in these recordings. " + helpFor(parameter.quantity);
     return estimate;
   }
   if (std::abs(estimate.log) > 0.999 * parameter.bound) {
-    estimate.advice = parameter.words() + " ran into its bound: the model does not explain these recordings";
+    estimate.advice = parameter.words() + " reached its bound. The model does not explain these recordings.";
     return estimate;
   }
   constexpr double kTied = 0.95;
@@ -52,7 +52,7 @@ DriveEstimate estimateOf(const DriveParameters& parameters, const DriveFit::Held
   findPartner(covariance, at, static_cast<int>(free.size()), visibility);
   if (visibility.partner >= 0 && std::abs(visibility.correlation) > kTied)
     estimate.advice =
-        fmt::format("{} is hard to distinguish from {} (correlation {:.2f}); {}", parameter.words(),
+        fmt::format("{} is hard to distinguish from {} (correlation {:.2f}). {}", parameter.words(),
                     parameters[free[static_cast<std::size_t>(visibility.partner)]].words(),
                     visibility.correlation, helpFor(parameter.quantity));
   return estimate;

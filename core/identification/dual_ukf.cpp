@@ -263,12 +263,15 @@ void describe(const Dual& dual, const ParameterSet& set, DualUkfReport& report) 
   const TracePoint last = dual.tracePoint();
   for (int i = 0; i < n; ++i) {
     const bool seen = last.sigma(i) < kSeenShare * set[i].prior_sigma;
-    Estimate estimate{set[i], last.log(i), last.sigma(i), seen, {}};
+    Estimate estimate{set[i], last.log(i), last.sigma(i), seen, {}, {}};
     Visibility visibility = dual.tally().of(set[i], i, report.observations);
     visibility.sigma = filter.scale()(i) * std::sqrt(covariance(i, i));
     visibility.stated = last.sigma(i);
     findPartner(covariance, i, n + CameraPose::kSize, visibility);
-    if (!seen) estimate.advice = adviceFor(set, i, visibility, report.observations);
+    if (!seen) {
+      estimate.weakness = weaknessOf(set, i, visibility, report.observations);
+      estimate.advice = adviceFor(set, i, visibility, report.observations);
+    }
     report.estimates.push_back(estimate);
     report.convergence.push_back(convergenceOf(report.trace, set, i));
   }

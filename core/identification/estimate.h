@@ -10,13 +10,24 @@
 
 namespace capstan::identification {
 
+/// Reason why the estimate of a parameter is not good enough.
+enum class Weakness {
+  kNone,
+  kNoObservations,  ///< no camera observation can be used
+  kSmallEffect,     ///< it changes the output by less than the camera noise
+  kCorrelated,      ///< it cannot be distinguished from another unknown
+  kNoBetter,        ///< its σ is that of the prior
+  kHidden,          ///< friction and hysteresis outside the model hide it
+};
+
 /// One identified parameter.
 struct Estimate {
   Parameter parameter;
-  double log = 0.0;    ///< ln(w / nominal)
-  double sigma = 0.0;  ///< standard deviation of the logarithm
-  bool seen = false;   ///< observable: the recording at least halves the prior's sigma
-  std::string advice;  ///< advice for the user; may be empty
+  double log = 0.0;                     ///< ln(w / nominal)
+  double sigma = 0.0;                   ///< standard deviation of the logarithm
+  bool seen = false;                    ///< observable: the recording at least halves the prior's sigma
+  std::string advice;                   ///< advice for the user; may be empty
+  Weakness weakness = Weakness::kNone;  ///< reason of `advice`
 
   double value() const { return parameter.nominal * std::exp(log); }  ///< value, SI
   double valueSigma() const { return value() * sigma; }       ///< standard deviation to first order, SI

@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "core/base/units.h"
-#include "core/identification/estimate.h"
 
 namespace capstan::identification {
 namespace {
@@ -26,16 +25,17 @@ std::string perCent(double sigma) {
   return value < 10.0 ? fmt::format("{:.2g}", value) : fmt::format("{:.0f}", value);
 }
 
+/// Sentence on the motion that determines a parameter.
 const char* remedyFor(Quantity quantity) {
   switch (quantity) {
     case Quantity::kLinkRadius:
-      return "move that joint over a wider range";
+      return "Move that joint over a wider range.";
     case Quantity::kStiffness:
-      return "load the joint: reach farther out, accelerate harder, or record longer";
+      return "Load the joint: reach farther out, accelerate harder, or record longer.";
     case Quantity::kDamping:
-      return "move faster and reverse more often";
+      return "Move faster and reverse more often.";
     default:
-      return "reverse more often";
+      return "Reverse more often.";
   }
 }
 
@@ -49,30 +49,40 @@ std::string wordsOf(const ParameterSet& set, int unknown) {
                      std::string(1, "xyz"[of_camera % 3]));
 }
 
-std::string adviceFor(const ParameterSet& set, int i, const Visibility& v, int observations) {
+Weakness weaknessOf(const ParameterSet& set, int i, const Visibility& v, int observations) {
   const Parameter& parameter = set[i];
-  if (observations == 0) return "no camera observation can be used: " + parameter.words() + " stays as it is";
-  const std::string change = fmt::format("{:.0f} %", 100.0 * std::expm1(parameter.prior_sigma));
+  if (observations == 0) return Weakness::kNoObservations;
   const double seen = kSeenShare * parameter.prior_sigma;
   const double wanted = v.stated < seen ? std::min(seen, parameter.goal) : seen;
-  if (v.sigma_alone > wanted)
-    return fmt::format(
-        "{} moves the output by less than its noise: {} more of it moves joint {} by {} RMS, the camera's "
-        "noise "
-        "is {} in each of {} frames; {}",
-        parameter.words(), change, parameter.joint + 1, shown(parameter.joint, v.moved),
-        shown(parameter.joint, v.noise), observations, remedyFor(parameter.quantity));
-  if (v.sigma > wanted && v.partner >= 0 && std::abs(v.correlation) > kBoundUp)
-    return fmt::format("{} cannot be distinguished from {} in this motion (correlation {:.2f}); {}",
-                       parameter.words(), wordsOf(set, v.partner), v.correlation,
-                       remedyFor(parameter.quantity));
-  if (v.stated >= parameter.prior_sigma)
-    return fmt::format("{} is no better known than before; {}", parameter.words(),
-                       remedyFor(parameter.quantity));
-  return fmt::format(
-      "{} is known to {} % (1 sigma) only, for friction and hysteresis that the model does not know move "
-      "joint {} as well; {}",
-      parameter.words(), perCent(v.stated), parameter.joint + 1, remedyFor(parameter.quantity));
+  if (v.sigma_alone > wanted) return Weakness::kSmallEffect;
+  if (v.sigma > wanted && v.partner >= 0 && std::abs(v.correlation) > kBoundUp) return Weakness::kCorrelated;
+  return v.stated >= parameter.prior_sigma ? Weakness::kNoBetter : Weakness::kHidden;
+}
+
+std::string adviceFor(const ParameterSet& set, int i, const Visibility& v, int observations) {
+  const Parameter& parameter = set[i];
+  const std::string words = parameter.words(), remedy = remedyFor(parameter.quantity);
+  switch (weaknessOf(set, i, v, observations)) {
+    case Weakness::kNoObservations:
+      return words + " keeps its value, because no camera observation can be used.";
+    case Weakness::kSmallEffect:
+      return fmt::format(
+          "{} has too small an effect in this motion. A value that is {:.0f} % larger moves joint {} by {} "
+          "(RMS). The camera noise is {} in each of {} images. {}",
+          words, 100.0 * std::expm1(parameter.prior_sigma), parameter.joint + 1,
+          shown(parameter.joint, v.moved), shown(parameter.joint, v.noise), observations, remedy);
+    case Weakness::kCorrelated:
+      return fmt::format("{} cannot be distinguished from {} in this motion (correlation {:.2f}). {}", words,
+                         wordsOf(set, v.partner), v.correlation, remedy);
+    case Weakness::kNoBetter:
+      return fmt::format("{} is known no better than before the recording. {}", words, remedy);
+    default:
+      return fmt::format(
+          "{} is known to {} % (1 σ) only. Friction and hysteresis that the model does not contain move "
+          "joint "
+          "{}, too. {}",
+          words, perCent(v.stated), parameter.joint + 1, remedy);
+  }
 }
 
 void findPartner(const Eigen::MatrixXd& covariance, int i, int count, Visibility& visibility) {

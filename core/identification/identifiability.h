@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/identification/estimate.h"
 #include "core/identification/output_error.h"
 
 namespace capstan::identification {
@@ -40,9 +41,10 @@ void findPartner(const Eigen::MatrixXd& covariance, int i, int count, Visibility
 /// Unknown i of OutputError in words: "joint 1's damping", "the camera's rotation about y".
 std::string wordsOf(const ParameterSet& set, int unknown);
 
-/// Advice for a parameter i that is not observable, or not known to its goal: the reason and a remedy.
-/// Reasons: it changes the output by less than the noise; it correlates with another unknown (|correlation|
-/// above 0.7); or friction and hysteresis outside the model hide it.
+/// Reason why a parameter i is not observable, or not known to its goal. kCorrelated: |correlation| above
+/// 0.7.
+Weakness weaknessOf(const ParameterSet& set, int i, const Visibility& visibility, int observations);
+/// Advice for such a parameter: the reason in numbers, and a remedy.
 std::string adviceFor(const ParameterSet& set, int i, const Visibility& visibility, int observations);
 
 }  // namespace capstan::identification

@@ -8,6 +8,7 @@
 
 #include "core/identification/better_motion.h"
 #include "core/identification/delay_passes.h"
+#include "core/identification/estimate_text.h"
 #include "core/identification/live_text.h"
 
 namespace capstan::identification {
@@ -40,7 +41,7 @@ void runBatch(const IdentificationData& data, const LiveRequest& request, base::
   report.cancelled = found.end == BatchEnd::kCancelled;
   report.seconds = found.seconds;
   if (found.end == BatchEnd::kFailed)
-    report.fault = "the batch method found no solution; the values before it stand";
+    report.fault = "The batch method found no solution. The values of the dual UKF stay.";
   else if (!report.cancelled && found.observations > 0)
     report.estimates = std::move(found.estimates);
 }
@@ -58,7 +59,7 @@ LiveReport runLive(const LiveRequest& request, base::Progress& progress) {
   if (!report.estimates.empty()) report.error = modelErrorOf(data, request.set, report.estimates, &progress);
   report.cancelled = report.cancelled || progress.cancelled();
   if (report.estimates.empty() && !report.cancelled && report.fault.empty())
-    report.fault = "no observation of the tip can be used";
+    report.fault = "No camera observation of the tip can be used so far.";
   return report;
 }
 
@@ -236,18 +237,20 @@ std::vector<LiveRow> LiveIdentification::rows() const {
 
 std::string LiveIdentification::words() const {
   if (phase_ == LivePhase::kIdle) return {};
-  if (phase_ == LivePhase::kAccepted) return "in use, found by " + origin_;
+  if (phase_ == LivePhase::kAccepted) return "The identified values are in use, found by " + origin_ + ".";
   if (!fault_.empty()) return fault_;
-  const std::string extent = wordsOf(recording_->extent());
-  if (phase_ == LivePhase::kCollecting) {
-    const bool lagging = recording_->extent().seconds - shown_.recorded > kLag;
-    return shown_.estimates.empty() || !lagging
-               ? extent
-               : fmt::format("{}; values of the first {:.0f} s", extent, shown_.recorded);
-  }
-  if (refining_) return fmt::format("batch method over {:.0f} s", recording_->extent().seconds);
-  if (shown_.estimates.empty()) return extent;
-  return fmt::format("{} over {:.0f} s, stopped", refined() ? "batch method" : "dual UKF", shown_.recorded);
+  const LiveExtent extent = recording_->extent();
+  if (refining_) return fmt::format("The batch method runs over all {:.0f} s.", extent.seconds);
+  if (shown_.estimates.empty()) return wordsOf(extent);
+  const bool collecting = phase_ == LivePhase::kCollecting;
+  if (extent.seconds - shown_.recorded > kLag)
+    return fmt::format("{} The values below are computed from the first {:.0f} s only. {}", wordsOf(extent),
+                       shown_.recorded,
+                       collecting ? "The computation is slower than the session; the next one covers all."
+                                  : "The computation from all of them is under way.");
+  if (collecting) return wordsOf(extent);
+  return fmt::format("Stopped. The values are computed from {:.0f} s by the {}. {}", shown_.recorded,
+                     refined() ? "batch method" : "dual UKF", acceptText(shown_.estimates));
 }
 
 std::vector<RobotChange> LiveIdentification::changes() const {

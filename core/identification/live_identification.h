@@ -51,7 +51,7 @@ enum class LivePhase { kIdle, kCollecting, kStopped, kAccepted };
 /// Texts of one parameter for the screen.
 struct LiveRow {
   std::string name;    ///< r_l1
-  std::string value;   ///< "59.02", rounded to the digits of its σ; "weak" if it is not observable
+  std::string value;   ///< "59.02", rounded to the digits of its σ; or "not observable"
   std::string sigma;   ///< "±0.02"
   std::string unit;    ///< mm, kN, N·s/m …
   std::string change;  ///< "−6.5 %", relative to the robot file

@@ -18,15 +18,17 @@ bool same(const std::optional<Eigen::Isometry3d>& a, const std::optional<Eigen::
 
 std::string wordsOf(const LiveExtent& extent) {
   if (extent.motor_failed && extent.motors == 0)
-    return "a motor's encoder has failed: nothing can be identified";
-  if (extent.motors == 0) return "waiting for the arm's motors";
-  if (!extent.registered) return "the cameras are not registered: nothing can be identified before they are";
-  if (extent.observations == 0 && extent.seconds < kPatience) return "waiting for the cameras";
-  if (extent.cameras == 0) return "no camera here: nothing can be identified";
-  if (extent.observations == 0) return "the marker is not seen: nothing can be identified";
-  const auto text = fmt::format("{:.0f} s, tip seen {} times", extent.seconds, extent.observations);
-  if (extent.motor_failed) return text + "; a motor's encoder has failed, nothing more is taken";
-  return extent.full ? text + "; that is as much as is kept" : text;
+    return "A motor encoder has failed. Nothing can be identified without it.";
+  if (extent.motors == 0) return "Waiting for the motors of the arm.";
+  if (!extent.registered) return "The cameras are not registered. Register them first (Ctrl+R).";
+  if (extent.observations == 0 && extent.seconds < kPatience) return "Waiting for the cameras.";
+  if (extent.cameras == 0) return "This session has no cameras. Nothing can be identified without them.";
+  if (extent.observations == 0)
+    return "The cameras do not detect the marker. Nothing can be identified without it.";
+  const auto text =
+      fmt::format("{:.0f} s collected; the tip was observed {} times.", extent.seconds, extent.observations);
+  if (extent.motor_failed) return text + " A motor encoder has failed, so the collection has ended.";
+  return extent.full ? text + " This is the longest collection, so it has ended." : text;
 }
 
 LiveRecording::LiveRecording(std::string title, double longest)

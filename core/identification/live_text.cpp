@@ -30,7 +30,7 @@ LiveRow rowOf(const Parameter& parameter) {
   row.name = parameter.name();
   row.value = "—";
   row.unit = unitOf(parameter);
-  row.words = parameter.words() + ": nothing known yet";
+  row.words = parameter.words() + " has no estimate yet";
   return row;
 }
 
@@ -46,9 +46,10 @@ LiveRow rowOf(const Estimate& estimate, const Convergence* convergence, double c
   else if (!estimate.advice.empty())
     row.words = estimate.advice;
   else
-    row.words = fmt::format("{} is known to ±{:.2g} %", parameter.words(), 100.0 * estimate.sigma);
+    row.words =
+        fmt::format("{} has a standard deviation of {:.2g} %", parameter.words(), 100.0 * estimate.sigma);
   if (!estimate.seen) {
-    row.value = "weak";
+    row.value = "not observable";
     return row;
   }
   const double sigma = scaleOf(parameter) * estimate.valueSigma();

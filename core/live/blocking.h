@@ -1,8 +1,7 @@
 #pragma once
 
 #include <array>
-#include <string>
-#include <vector>
+#include <utility>
 
 #include "core/live/occlusion.h"
 #include "core/tracking/source.h"
@@ -29,7 +28,9 @@ class Blocking {
     auto* frame = std::get_if<tracking::StereoFrame>(&sample);
     if (!frame || correction_.none()) return;
     correction_.apply(frame->left, frame->right);
-    if (correction_.exchange) frame->skew = -frame->skew;
+    if (!correction_.exchange) return;
+    frame->skew = -frame->skew;
+    std::swap(frame->blocked[0], frame->blocked[1]);
   }
   const OcclusionSchedule& schedule() const { return schedule_; }
   const std::array<bool, 2>& blocked() const { return blocked_; }
@@ -50,18 +51,6 @@ class Blocking {
     stale_ = false;
     source.block(now[correction_.exchange ? 1 : 0], now[correction_.exchange ? 0 : 1]);
     return changed;
-  }
-
-  /// Descriptions of the schedule and of the cameras that are blocked now.
-  std::vector<std::string> words() const {
-    std::vector<std::string> all;
-    if (schedule_.percentage > 0.0) all.push_back(scheduleWords(schedule_));
-    if (any()) all.push_back(text());
-    return all;
-  }
-  std::string text() const {
-    if (!any()) return "free";
-    return blocked_[0] && blocked_[1] ? "both blocked" : blocked_[0] ? "left blocked" : "right blocked";
   }
 
  private:

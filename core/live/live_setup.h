@@ -31,8 +31,10 @@ struct RowsSetup {
           {"motors", "", "motor of the rows (1, 2, 3) that drives joint 1, 2, 3", {1.0, 3.0}, false});
     field(self.signs, {"signs", "", "1, or -1 for a motor that counts the other way", {-1.0, 1.0}, false});
     field(self.reference, {"reference", "", "whether columns q are joint encoders", {}, false});
-    field(self.encoders, {"encoders", "", "ROS topic (JointState) of joint encoders; none: no", {}, false});
-    field(self.names, {"names", "", "ROS: three names in the JointState; none: its first three", {}, false});
+    field(self.encoders,
+          {"encoders", "", "ROS topic (JointState) of joint encoders; left out: no", {}, false});
+    field(self.names,
+          {"names", "", "ROS: three names in the JointState; left out: its first three", {}, false});
     field(self.zero, {"zero", "rad", "ROS: motor positions in the message at the hard stop", {}, false});
     field(self.arm, {"arm", "", "ROS: arm of a raven_state, 1 or 2", {1.0, 2.0}, false});
   }
@@ -61,13 +63,14 @@ struct CamerasSetup {
   static void visit(Self& self, Visitor&& field) {
     field(self.left,
           {"left", "", "device (/dev/video0), network stream (rtsp://…), video file or ros:/TOPIC"});
-    field(self.right, {"right", "", "the same for the right camera; none if one stream has both", {}, false});
+    field(self.right,
+          {"right", "", "the same for the right camera; left out where one stream has both", {}, false});
     field(self.layout, {"layout", "", "two, side_by_side or top_bottom", {}, false});
     field(self.calibration,
           {"calibration", "",
            "ROS folder, Kalibr or OpenCV file of the cameras, or ros (camera_info beside the images)"});
-    field(self.registration, {"registration", "", "registration file; none: register first", {}, false});
-    field(self.marker, {"marker", "", "marker file (colour and shape); none: the green ball", {}, false});
+    field(self.registration, {"registration", "", "registration file; left out: register first", {}, false});
+    field(self.marker, {"marker", "", "marker file (colour and shape); left out: the green ball", {}, false});
     field(self.latency, {"latency",
                          "s",
                          "from exposure to arrival, or to the stamp; of a video file: by how much its first "
@@ -80,10 +83,10 @@ struct CamerasSetup {
     field(self.width, {"width", "px", "of each stream's images; 0: the device's own", {0.0, 16384.0}, false});
     field(self.height,
           {"height", "px", "of each stream's images; 0: the device's own", {0.0, 16384.0}, false});
-    field(self.exposure, {"exposure", "", "in the device's units; none: automatic", {}, false});
-    field(self.gain, {"gain", "", "in the device's units; none: as it is", {}, false});
-    field(self.white_balance, {"white_balance", "K", "colour temperature; none: automatic", {}, false});
-    field(self.focus, {"focus", "", "in the device's units; none: automatic", {}, false});
+    field(self.exposure, {"exposure", "", "in the device's units; left out: automatic", {}, false});
+    field(self.gain, {"gain", "", "in the device's units; left out: as it is", {}, false});
+    field(self.white_balance, {"white_balance", "K", "colour temperature; left out: automatic", {}, false});
+    field(self.focus, {"focus", "", "in the device's units; left out: automatic", {}, false});
   }
   bool operator==(const CamerasSetup&) const = default;
 };
@@ -99,18 +102,19 @@ struct CommandsSetup {
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& field) {
     field(self.servo_jp,
-          {"servo_jp", "", "topic of set-points, as in /PSM1/servo_jp; none: move_jp", {}, false});
-    field(self.move_jp, {"move_jp", "", "topic of goals, as in /PSM1/move_jp; none: servo_jp", {}, false});
+          {"servo_jp", "", "topic of set-points, as in /PSM1/servo_jp; left out: move_jp", {}, false});
+    field(self.move_jp,
+          {"move_jp", "", "topic of goals, as in /PSM1/move_jp; left out: servo_jp", {}, false});
     field(self.measured,
           {"measured",
            "",
            "topic of the robot's own joint positions, as in /PSM1/measured_js: a robot of more than three "
-           "joints gets its other ones back; none: three joints are sent",
+           "joints gets its other ones back; left out: three joints are sent",
            {},
            false});
     field(self.names, {"names",
                        "",
-                       "three names in the message; none: joints of the robot file, or its first three",
+                       "three names in the message; left out: joints of the robot file, or its first three",
                        {},
                        false});
     field(self.signs, {"signs", "", "1, or -1 for a joint that counts the other way", {-1.0, 1.0}, false});
@@ -135,14 +139,16 @@ struct LiveSetup {
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& field) {
     field(self.title, {"title", "", "name of the robot, shown in the window's title"});
-    field(
-        self.robot,
-        {"robot", "", "robot file, beside this file or with its whole path; none: left RAVEN-II", {}, false});
+    field(self.robot, {"robot",
+                       "",
+                       "robot file, beside this file or with its whole path; left out: left RAVEN-II",
+                       {},
+                       false});
     field(self.motors, {"motors", "", "where motor positions come from"});
-    field(self.cameras, {"cameras", "", "where images come from; none: no images", {}, false});
+    field(self.cameras, {"cameras", "", "where images come from; left out: no images", {}, false});
     field(self.commands, {"commands",
                           "",
-                          "where commands go that a person has armed; none: the robot is never moved",
+                          "where commands go that a person has armed; left out: the robot is never moved",
                           {},
                           false});
   }

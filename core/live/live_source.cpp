@@ -8,7 +8,7 @@
 #include "core/live/text_rows.h"
 #include "core/ros1/receive_rig.h"
 #include "core/tracking/arrival.h"
-#include "core/vision/cover_image.h"
+#include "core/tracking/cover_frame.h"
 #include "core/vision/marker_file.h"
 #include "core/vision/registration_file.h"
 #include "core/vision/rig_file.h"
@@ -130,19 +130,9 @@ bool LiveSource::next(tracking::Sample& out) {
   }
   if (auto* tip = std::get_if<tracking::TipSample>(&out); tip && (left_blocked_ || right_blocked_))
     tip->position.setConstant(std::numeric_limits<double>::quiet_NaN());
-  if (auto* frame = std::get_if<tracking::StereoFrame>(&out)) cover(*frame);
+  if (auto* frame = std::get_if<tracking::StereoFrame>(&out))
+    tracking::coverFrame(*frame, {left_blocked_, right_blocked_});
   return true;
-}
-
-/// The image itself stays as it came: the cameras' threads compare it with the next one.
-void LiveSource::cover(tracking::StereoFrame& frame) const {
-  const auto coverCopy = [&](cv::Mat& image, int side) {
-    if (image.empty()) return;
-    image = image.clone();
-    vision::coverImage(image, frame.t, side);
-  };
-  if (left_blocked_) coverCopy(frame.left, 0);
-  if (right_blocked_) coverCopy(frame.right, 1);
 }
 
 }  // namespace capstan::live

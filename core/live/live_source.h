@@ -39,7 +39,6 @@ class LiveSource final : public tracking::Source, public Commandable {
 
  private:
   void readCameras(const CamerasSetup& setup);
-  void cover(tracking::StereoFrame& frame) const;
   void noteTracked();
   bool timeIsUp() const;
 

@@ -28,6 +28,7 @@ void Publisher::publish(const tracking::StereoFrame& frame, const tracking::Snap
   back_.t = frame.t;
   back_.t_arrival = frame.t_arrival;
   back_.skew = frame.skew;
+  back_.blocked = frame.blocked;
   frame.left.copyTo(back_.left);
   frame.right.copyTo(back_.right);
   const std::lock_guard lock(mutex_);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <future>
 #include <memory>
 #include <mutex>
@@ -8,7 +9,9 @@
 #include <vector>
 
 #include "core/base/due_times.h"
+#include "core/live/occlusion.h"
 #include "core/live/pause_watch.h"
+#include "core/recording/occlusion_events.h"
 #include "core/recording/recorder.h"
 #include "core/tracking/arrival.h"
 #include "core/tracking/gate_watch.h"
@@ -71,9 +74,13 @@ class RecordingSlot {
   void note(double t, std::string kind, std::string text) {
     if (recorder_) recorder_->note(t, std::move(kind), std::move(text));
   }
-  /// Notes an occlusion; `added`: the occlusion was added to a source that is itself a recording.
-  void noteOcclusion(double t, const std::string& what, bool added) {
-    note(t, "occlusion", added ? what + ", added to a recording" : what);
+  /// Notes a schedule, or the cameras that are blocked from now on; `added`: the occlusion was added to a
+  /// source that is itself a recording.
+  void noteOcclusion(double t, const OcclusionSchedule& schedule, bool added) {
+    note(t, recording::kOcclusionKind, scheduleWords(schedule) + (added ? recording::kAddedOcclusion : ""));
+  }
+  void noteOcclusion(double t, const std::array<bool, 2>& blocked, bool added) {
+    note(t, recording::kOcclusionKind, recording::occlusionText(blocked, added));
   }
   void setRegistration(double t, const Eigen::Isometry3d& base_from_camera) {
     if (recorder_) recorder_->setRegistration(t, base_from_camera);
@@ -92,9 +99,7 @@ class RecordingSlot {
   /// Whoever opens the recording later learns that it has gaps.
   void noteGaps() {
     const std::uint64_t dropped = recorder_->stats().dropped;
-    if (dropped > 0)
-      note(t_, "recorder",
-           std::to_string(dropped) + " samples are missing: the disk was slower than the data");
+    if (dropped > 0) note(t_, "recorder", recording::gapsText(dropped));
   }
 
   base::DueTimes estimates_;

@@ -85,7 +85,7 @@ class Runner::Impl {
   }
   void setOcclusion(const OcclusionSchedule& schedule) {
     post([this, schedule] {
-      if (blocking_.setSchedule(schedule)) recording_.noteOcclusion(t_, scheduleWords(schedule), !info_.live);
+      if (blocking_.setSchedule(schedule)) recording_.noteOcclusion(t_, schedule, !info_.live);
     });
   }
 
@@ -157,7 +157,9 @@ class Runner::Impl {
     auto recorder = std::make_shared<recording::Recorder>(path, in_use_.of(header), options);
     post([this, recorder] {
       recording_.begin(recorder);
-      for (const std::string& words : blocking_.words()) recording_.noteOcclusion(t_, words, !info_.live);
+      if (blocking_.schedule().percentage > 0.0)
+        recording_.noteOcclusion(t_, blocking_.schedule(), !info_.live);
+      if (blocking_.any()) recording_.noteOcclusion(t_, blocking_.blocked(), !info_.live);
     });
   }
   void stopRecording() {
@@ -318,7 +320,7 @@ class Runner::Impl {
   }
 
   void applyBlocking() {
-    if (blocking_.apply(motor_t_, *source_)) recording_.noteOcclusion(t_, blocking_.text(), !info_.live);
+    if (blocking_.apply(motor_t_, *source_)) recording_.noteOcclusion(t_, blocking_.blocked(), !info_.live);
   }
 
   void finish(RunState state, const std::exception* error = nullptr) {

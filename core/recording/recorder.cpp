@@ -363,6 +363,13 @@ class Recorder::Impl {
   std::thread thread_;
 };
 
+std::string gapsText(std::uint64_t missing) {
+  return fmt::format(
+      "The recording has gaps: {} samples are missing. The disk was slower than the data. Record to a faster "
+      "disk, or fewer images.",
+      missing);
+}
+
 Recorder::Recorder(const std::filesystem::path& path, const SessionHeader& header,
                    const RecorderOptions& options)
     : impl_(std::make_unique<Impl>(path, header, options)) {}

@@ -56,6 +56,9 @@ struct RecorderStats {
   double encode_time = 0.0;         ///< mean processor time for encoding a frame [s]
 };
 
+/// Sentence for people on a recording of which `missing` samples were dropped or lost, with the remedy.
+std::string gapsText(std::uint64_t missing);
+
 /// Writes a session file. offer() copies into a bounded queue and returns: it never waits for the disk and
 /// does not allocate. A writer thread encodes and commits. When the disk is too slow and the queue is full,
 /// offered samples are dropped and counted. Committed rows survive a crash of the process, and the file stays

@@ -10,10 +10,11 @@
 #include <span>
 
 #include "core/base/yaml.h"
+#include "core/recording/occlusion_events.h"
 #include "core/recording/schema.h"
 #include "core/recording/session_file.h"
 #include "core/recording/session_reader.h"
-#include "core/vision/cover_image.h"
+#include "core/tracking/cover_frame.h"
 
 namespace capstan::recording {
 namespace {
@@ -29,6 +30,7 @@ class SessionSource::Impl {
     try {
       readInfo();
       for (auto& codecs : codecs_) codecs = readCodecs(database_, path.string());
+      recorded_ = RecordedOcclusion(database_, !info_.truth.empty());
       for (int which = 0; which < kReplayed; ++which) {
         rows_[static_cast<std::size_t>(which)] =
             std::make_unique<Statement>(rowsOf(database_, table(static_cast<SampleTable>(which))));
@@ -116,6 +118,8 @@ class SessionSource::Impl {
       other = std::async(std::launch::async, [&] { return unpack(right, codec, 1, frame.t); });
     frame.left = unpack(left, codec, 0, frame.t);
     frame.right = other.valid() ? other.get() : unpack(right, codec, 1, frame.t);
+    frame.blocked = recorded_.at(row.integer(0), frame.t);
+    tracking::coverFrame(frame, blocked_);
   }
 
   using Packet = std::optional<std::span<const std::uint8_t>>;  ///< nothing: there is no image
@@ -133,7 +137,6 @@ class SessionSource::Impl {
       throw base::InputError({path_.string(), 0, side == 0 ? "frame.left" : "frame.right",
                               fmt::format("t = {} s", t), "is a damaged image",
                               "Restore the file from a copy"});
-    if (blocked_[static_cast<std::size_t>(side)]) vision::coverImage(image, t, side);
     return image;
   }
 
@@ -143,6 +146,7 @@ class SessionSource::Impl {
   std::array<std::map<std::int64_t, FrameDecoder>, 2> codecs_;  ///< of each camera
   std::array<std::unique_ptr<Statement>, kReplayed> rows_;
   std::array<std::int64_t, kReplayed> next_ = {-1, -1, -1, -1};
+  RecordedOcclusion recorded_;
   std::array<bool, 2> blocked_{};
   std::array<cv::Mat, 2> images_;
 };

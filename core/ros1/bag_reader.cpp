@@ -11,7 +11,7 @@
 #include "core/ros1/message_codec.h"
 #include "core/ros1/stamp.h"
 #include "core/tracking/arrival.h"
-#include "core/vision/cover_image.h"
+#include "core/tracking/cover_frame.h"
 
 namespace capstan::ros1 {
 namespace {
@@ -147,10 +147,7 @@ bool BagReader::next(tracking::Sample& out) {
   samples_.pop_front();
   if (auto* tip = std::get_if<tracking::TipSample>(&out); tip && (blocked_[0] || blocked_[1]))
     tip->position.setConstant(std::numeric_limits<double>::quiet_NaN());
-  if (auto* frame = std::get_if<tracking::StereoFrame>(&out)) {
-    if (blocked_[0] && !frame->left.empty()) vision::coverImage(frame->left, frame->t, 0);
-    if (blocked_[1] && !frame->right.empty()) vision::coverImage(frame->right, frame->t, 1);
-  }
+  if (auto* frame = std::get_if<tracking::StereoFrame>(&out)) tracking::coverFrame(*frame, blocked_);
   return true;
 }
 

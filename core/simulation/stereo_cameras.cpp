@@ -61,6 +61,7 @@ void StereoCameras::expose(const Exposure& exposure) {
       std::max(exposure.t + timing_.stamp_delay + jitter(timing_.clock_jitter), last_stamp_ + 1e-6);
   const double arrival = exposure.t + std::max(0.0, timing_.latency + jitter(timing_.latency_jitter));
   flight.arrival = std::max({arrival, flight.stamp, last_arrival_});
+  flight.blocked = exposure.blocked;
   last_stamp_ = flight.stamp;
   last_arrival_ = flight.arrival;
   if (images_) {
@@ -98,7 +99,7 @@ bool StereoCameras::deliver(double now, tracking::Sample& out) {
   delivered_ = flight.truth;
   if (images_)
     out = tracking::StereoFrame{flight.stamp, flight.arrival, std::move(flight.left), std::move(flight.right),
-                                0.0};
+                                0.0,          flight.blocked};
   else
     out = tracking::TipSample{flight.stamp, flight.arrival, registration_ * flight.measured};
   flights_.erase(flights_.begin());

@@ -66,7 +66,8 @@ class StereoCameras {
   struct Flight {
     double stamp = 0.0, arrival = 0.0;
     FrameTruth truth;
-    cv::Mat left, right;       // with images
+    cv::Mat left, right;  // with images
+    std::array<bool, 2> blocked{};
     Eigen::Vector3d measured;  // without images: tip in the left camera's frame [m]; NaN: not observed
   };
   using ImagePair = std::array<cv::Mat, 2>;

@@ -93,51 +93,81 @@ void addTransmission(const TrackReport& report, Checks& checks) {
   add(checks, std::move(check));
 }
 
-std::string noImageAdvice(const TrackReport& report) {
+/// How the cameras take part in the estimate.
+enum class Images {
+  kUsed,
+  kNoCameras,     ///< a robot or recording without cameras
+  kNoneCame,      ///< live cameras that sent no pair
+  kUnregistered,  ///< no pair is used before a registration
+  kExcluded,      ///< every pair was excluded for other reasons
+};
+
+Images imagesOf(const TrackReport& report) {
+  if (usedOf(report) > 0) return Images::kUsed;
+  if (report.camera_samples == 0) return report.live_cameras ? Images::kNoneCame : Images::kNoCameras;
+  const bool unregistered =
+      report.gates[static_cast<std::size_t>(Gate::kUnregistered)] == report.camera_samples;
+  return unregistered ? Images::kUnregistered : Images::kExcluded;
+}
+
+std::string adviceOf(Images images, bool live) {
   const std::string alone = "The estimate is by the motors alone. ";
-  if (report.camera_samples == 0 && !report.live_cameras)
-    return alone + "No camera observes the joints: errors of cables and pulleys remain unknown.";
-  if (report.camera_samples == 0)
-    return alone +
-           "No pair of images came. Check addresses, stamps, pairing and latency of the cameras in the live "
-           "set-up.";
-  if (report.gates[static_cast<std::size_t>(Gate::kUnregistered)] == report.camera_samples)
-    return alone + "The cameras are not registered. Register them" +
-           (report.live_cameras ? ", and name the file in the live set-up (cameras.registration)." : ".");
-  return alone +
-         "Every pair was excluded. Look at the gate's reasons, the detection of the marker and the latency.";
+  switch (images) {
+    case Images::kUsed:
+      return {};
+    case Images::kNoCameras:
+      return alone + "No camera observes the joints: errors of cables and pulleys remain unknown.";
+    case Images::kNoneCame:
+      return alone +
+             "No pair of images came. Check addresses, stamps, pairing and latency of the cameras in the "
+             "live set-up.";
+    case Images::kUnregistered:
+      return alone + "The cameras are not registered. Register them" +
+             (live ? ", and name the file in the live set-up (cameras.registration)." : ".");
+    default:
+      return alone +
+             "Every pair was excluded. Look at the gate's reasons, the detection of the marker and the "
+             "latency.";
+  }
 }
 
 /// The other checks of images judge only what came. Silent in a recording whose images are used.
 void addCameras(const TrackReport& report, const HealthLimits& limits, Checks& checks) {
-  const std::uint64_t used = usedOf(report);
-  if (used > 0 && !report.live_cameras) return;
+  const Images images = imagesOf(report);
+  const bool used = images == Images::kUsed, none = images == Images::kNoCameras;
+  if (used && !report.live_cameras) return;
   HealthCheck check{"cameras", "cameras", HealthVerdict::kPass};
-  const bool any = report.camera_samples > 0 || report.live_cameras;
-  if (used == 0) {
-    check.verdict = any ? HealthVerdict::kFail : HealthVerdict::kCautious;
-    if (report.last_t - report.first_t < limits.no_images) check.verdict = HealthVerdict::kUnknown;
-  }
-  check.value = used > 0 ? fmt::format("{} of {} samples used", used, report.camera_samples)
-                : any    ? "no image was used"
-                         : "none";
+  if (!used) check.verdict = none ? HealthVerdict::kCautious : HealthVerdict::kFail;
+  if (!used && report.last_t - report.first_t < limits.no_images) check.verdict = HealthVerdict::kUnknown;
+  check.value = used   ? fmt::format("{} of {} samples used", usedOf(report), report.camera_samples)
+                : none ? "none"
+                       : "no image was used";
   check.expected = "images are used";
-  check.advice = noImageAdvice(report);
+  check.advice = adviceOf(images, report.live_cameras);
   add(checks, std::move(check));
 }
 
+std::string detectionText(const TrackReport& report, int side) {
+  const std::uint64_t blocked = report.blocked[static_cast<std::size_t>(side)];
+  if (report.unblocked(side) == 0) return fmt::format("all {} images were blocked deliberately", blocked);
+  const double rate = 100.0 * report.detectionRate(side);
+  if (blocked == 0) return fmt::format("{:.1f} % of images", rate);
+  return fmt::format("{:.1f} % of {} images; {} more were blocked deliberately", rate, report.unblocked(side),
+                     blocked);
+}
+
+/// Images whose view was blocked deliberately are no evidence of a fault.
 void addDetection(const TrackReport& report, const HealthLimits& limits, Checks& checks) {
   if (report.frames == 0) return;
   for (const int side : {0, 1}) {
     const std::string name = side == 0 ? "left" : "right";
     const double rate = report.detectionRate(side);
     add(checks, {"detection_" + name, fmt::format("marker in the {} image", name),
-                 judge(1.0 - rate, limits.undetected, limits.undetected_fail),
-                 fmt::format("{:.1f} % of images", 100.0 * rate),
+                 judge(1.0 - rate, limits.undetected, limits.undetected_fail), detectionText(report, side),
                  fmt::format("at least {:.0f} %", 100.0 * (1.0 - limits.undetected)),
-                 fmt::format("The {} camera does not see the marker for {:.0f} % of the time. Remove what "
+                 fmt::format("The marker was not found in {:.0f} % of the {} camera's images. Remove what "
                              "hides it, or set the marker's colour and the exposure again.",
-                             name, 100.0 * (1.0 - rate))});
+                             100.0 * (1.0 - rate), name)});
   }
 }
 

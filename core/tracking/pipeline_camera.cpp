@@ -20,6 +20,7 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 void TrackingPipeline::Impl::take(const StereoFrame& frame) {
   if (!stereo_) return;
   beginCamera(exposureOf(frame.t), frame.t_arrival, true);
+  snapshot_.view_blocked = frame.blocked;
   std::optional<Vector3d> expected;
   if (options_.roi_search && base_from_camera_ && snapshot_.tip_kin_cam.allFinite())
     expected = base_from_camera_->inverse() * cameras_.measured(snapshot_.tip_kin_cam);

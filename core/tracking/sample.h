@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <limits>
 #include <opencv2/core/mat.hpp>
 #include <variant>
@@ -26,6 +27,8 @@ struct StereoFrame {
   cv::Mat left, right;
   /// Exposure of the right image minus that of the left [s]; NaN: not known, as in recordings.
   double skew = std::numeric_limits<double>::quiet_NaN();
+  /// Left, right: the view was blocked deliberately (Source::block()), now or when it was recorded.
+  std::array<bool, 2> blocked{};
 };
 
 /// Tip position in frame 0 from cameras of another system, for recordings without images. NaN: tip not

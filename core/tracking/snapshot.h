@@ -69,6 +69,7 @@ struct Snapshot {
   double latency = 0.0;                           ///< arrival minus exposure of the newest camera sample [s]
   bool camera_updated = false;                    ///< this step took a camera sample
   bool camera_images = false;                     ///< the newest camera sample was a pair of images
+  std::array<bool, 2> view_blocked{};             ///< StereoFrame::blocked of the newest pair of images
   std::array<vision::MarkerDetection, 2> marker;  ///< left, right
   Eigen::Vector3d tip_in_camera;                  ///< triangulated, left camera's frame [m]
   Eigen::Matrix3d tip_in_camera_covariance;       ///< [m²]

@@ -96,7 +96,7 @@ class Source {
   /// Writes the next sample to `out`, whose images are reused. False: the source has ended.
   virtual bool next(tracking::Sample& out) = 0;
   /// Blocks (true) or unblocks the view of each camera from now on. Images then show the occlusion in their
-  /// pixels.
+  /// pixels, and StereoFrame::blocked.
   virtual void block(bool left, bool right) = 0;
   /// Waits up to `wait` for the next sample. True: next() returns at once. Only real-time sources wait.
   virtual bool ready(std::chrono::milliseconds wait) {

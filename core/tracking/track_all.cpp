@@ -42,7 +42,8 @@ void TrackReport::add(const Snapshot& snapshot) {
   if (!snapshot.camera_images) return;
   ++frames;
   for (std::size_t side = 0; side < 2; ++side) {
-    if (!snapshot.marker[side].found()) continue;
+    if (snapshot.view_blocked[side]) ++blocked[side];
+    if (snapshot.view_blocked[side] || !snapshot.marker[side].found()) continue;
     ++detected[side];
     if (snapshot.marker[side].full_frame) ++full_frame[side];
   }
@@ -52,8 +53,12 @@ double TrackReport::gateShare(Gate gate) const {
   return ratio(static_cast<double>(gates[static_cast<std::size_t>(gate)]), camera_samples);
 }
 
+std::uint64_t TrackReport::unblocked(int side) const {
+  return frames - blocked[static_cast<std::size_t>(side)];
+}
+
 double TrackReport::detectionRate(int side) const {
-  return ratio(static_cast<double>(detected[static_cast<std::size_t>(side)]), frames);
+  return ratio(static_cast<double>(detected[static_cast<std::size_t>(side)]), unblocked(side));
 }
 
 double TrackReport::nisMean() const {

@@ -21,9 +21,10 @@ struct TrackReport {
   std::uint64_t motor_samples = 0;
   std::uint64_t camera_samples = 0;           ///< number of frames and tip samples
   std::array<std::uint64_t, 10> gates{};      ///< number of camera samples by Gate
-  std::array<std::uint64_t, 2> detected{};    ///< number of frames with a marker: left, right
-  std::array<std::uint64_t, 2> full_frame{};  ///< number of them found by the full-frame search
   std::uint64_t frames = 0;                   ///< number of camera samples with images
+  std::array<std::uint64_t, 2> blocked{};     ///< number of frames whose view was blocked deliberately
+  std::array<std::uint64_t, 2> detected{};    ///< number of the other frames with a marker: left, right
+  std::array<std::uint64_t, 2> full_frame{};  ///< number of `detected` found by the full-frame search
   double first_t = 0.0, last_t = 0.0;         ///< time of the first and last motor sample [s]
   double nis_sum = 0.0;                       ///< sum of NIS over accepted camera samples
   std::uint64_t rays = 0;                     ///< updates with the ray of one camera
@@ -43,8 +44,11 @@ struct TrackReport {
 
   /// Adds a snapshot. Counts start at the first snapshot, independent of earlier counts of the pipeline.
   void add(const Snapshot& snapshot);
-  double gateShare(Gate gate) const;     ///< share of camera samples; NaN without any
-  double detectionRate(int side) const;  ///< share of frames with a marker, 0 left, 1 right
+  double gateShare(Gate gate) const;  ///< share of camera samples; NaN without any
+  /// Number of frames whose view was not blocked deliberately, and the share of them with a marker (NaN:
+  /// there are none); 0 left, 1 right.
+  std::uint64_t unblocked(int side) const;
+  double detectionRate(int side) const;
   double nisMean() const;  ///< mean NIS of accepted camera samples over its 3 degrees of freedom; NaN: none
   double rayNisMean() const;  ///< mean NIS of the ray updates over their 2 degrees of freedom; NaN: none
   double neesMean() const;    ///< mean position NEES over its 3 degrees of freedom; NaN: no reference

@@ -156,7 +156,7 @@ TEST_F(CliTable, TheDualUkfStandsInForABatchThatFailed) {
   EXPECT_EQ(run(command + " --method batch").exit, 1);
   EXPECT_FALSE(fs::exists(path("r.yaml")));
   const Ran words = run(command + " --method dual-ukf");
-  EXPECT_THAT(words.out, HasSubstr("s more of this motion (σ is "));
+  EXPECT_THAT(words.out, HasSubstr("s more of this motion are needed (σ is "));
   EXPECT_THAT(words.out, HasSubstr("%, its goal 0.2 %)"));
 }
 

@@ -12,6 +12,7 @@ namespace capstan::testing {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 class CliRegister : public Cli {
  protected:
@@ -36,6 +37,35 @@ TEST_F(CliRegister, RejectsTheOutlierAndWritesTheTransform) {
   EXPECT_EQ(found["residuals"].size(), 8u);
   EXPECT_NEAR(found["base_from_camera"]["position"][1].get<double>(), 0.2, 1e-9);
   EXPECT_THAT(textOf("r.yaml"), HasSubstr("rotation"));
+}
+
+TEST_F(CliRegister, PrintsTheResidualOfEveryRow) {
+  write("p.csv", "x,y,z,cam_x,cam_y,cam_z", 1.0);
+  const Ran ran = run("register " + path("p.csv"));
+  ASSERT_EQ(ran.exit, 0) << ran.err;
+  EXPECT_THAT(
+      ran.out,
+      HasSubstr("   row   residual [mm]\n     0           0.000   used\n     1           0.000   used\n"
+                "     2          50.000   rejected\n"));
+  EXPECT_THAT(ran.out, HasSubstr("     7           0.000   used\n"));
+  EXPECT_THAT(ran.out, Not(HasSubstr("largest")));
+}
+
+TEST_F(CliRegister, PrintsTheLargestResidualsOfManyRows) {
+  std::ofstream file(path("p.csv"));
+  file << "x,y,z,cam_x,cam_y,cam_z\n";
+  for (int i = 0; i < 40; ++i) {
+    const double x = 0.02 * (i % 4), y = 0.03 * (i / 4 % 5), z = 0.02 * (i / 20);
+    file << x + 0.1 << ',' << y + (i % 2 ? 0.2 : 0.2001) << ',' << z + (i == 7 ? 0.35 : 0.3) << ',' << x
+         << ',' << y << ',' << z << "\n";
+  }
+  file.close();
+  const Ran ran = run("register " + path("p.csv"));
+  ASSERT_EQ(ran.exit, 0) << ran.err;
+  EXPECT_THAT(ran.out, HasSubstr("residual [mm]\n     7          50.000   rejected\n"));
+  EXPECT_THAT(ran.out, HasSubstr("These are the 10 largest residuals. The other 30 are 0.0"));
+  const auto table = ran.out.substr(ran.out.find("residual [mm]"));
+  EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 12);
 }
 
 TEST_F(CliRegister, NamesTheFaultAndTheRemedy) {

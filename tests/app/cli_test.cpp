@@ -48,7 +48,8 @@ TEST_F(Cli, BadUsageIsExitTwoWithOneLineThatSaysWhat) {
       {"calibrate " + folder_.string() + " --board 9by6", "9by6"},
       {"convert " + bad + " " + path("x.what"), "x.what"},
       {"convert " + bad + " " + path("frames") + " --to png", "session"},
-      {"simulate --out " + path("there.capstan") + " --no-images --duration 1", "exists"}};
+      {"simulate --out " + path("there.capstan") + " --no-images --duration 1",
+       "exists already. Give another --out, or add --force to overwrite it"}};
   for (const auto& [arguments, word] : cases) {
     const Ran result = run(arguments);
     EXPECT_EQ(result.exit, 2) << arguments;

@@ -168,7 +168,8 @@ TEST_F(Shell, BlockedCamerasAreBlockedInFact) {
   window->link().runner()->resetErrors();
   ASSERT_TRUE(waitFor([&] { return window->link().runner()->report().frames > 2; }));
   const auto report = window->link().runner()->report();
-  EXPECT_EQ(report.detected[0], 0U);
+  EXPECT_EQ(report.gates[static_cast<std::size_t>(tracking::Gate::kLeftLost)], report.frames);
+  EXPECT_EQ(report.blocked[0], report.frames);
   EXPECT_EQ(report.detected[1], report.frames);
   EXPECT_TRUE(window->notes().row(window->notes().rows() - 1).contains("left camera blocked"));
 }

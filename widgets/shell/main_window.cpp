@@ -310,10 +310,7 @@ void MainWindow::onRecording(bool recording, const live::RunStatus& status) {
     if (failed) messages_->showMessage(why, "recording");
     notes_->addEvent(status.t, failed ? "fault" : "recording", failed ? why : tr("stopped"));
     if (const auto gaps = status.recorder ? status.recorder->dropped : 0; gaps > 0 && !failed) {
-      const QString missing =
-          tr("The recording has gaps: %1 samples are missing, since the disk was slower than "
-             "the data. Record to a faster disk, or fewer images.")
-              .arg(static_cast<qulonglong>(gaps));
+      const QString missing = QString::fromStdString(recording::gapsText(gaps));
       messages_->showMessage(missing, "recording");
       notes_->addEvent(status.t, "fault", missing);
     }

@@ -87,7 +87,7 @@ TEST(Identified, TimeThatIsNeededSaysUpToWhichSigma) {
   identification::Convergence convergence;
   convergence.time_needed = 772.4;
   EXPECT_EQ(progressWords(convergence, known(0.083)),
-            "about 773 s more of this motion (σ is 8.3 %, its goal 5 %)");
+            "about 773 s more of this motion are needed (σ is 8.3 %, its goal 5 %)");
   convergence.settled = true;
   convergence.settled_at = 41.0;
   EXPECT_EQ(progressWords(convergence, known(0.01)), "settled after 41 s");

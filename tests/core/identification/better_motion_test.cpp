@@ -55,7 +55,7 @@ TEST(BetterMotion, OfAnArmAtRestMakesEveryWeakParameterKnownAsPredicted) {
   const auto proposal = proposeMotion(still, set, unknown(set), {}, progress);
   ASSERT_TRUE(proposal);
   EXPECT_EQ(proposal->weak.size(), static_cast<std::size_t>(set.size()));
-  EXPECT_THAT(proposal->words, HasSubstr("predicted σ: r_l1"));
+  EXPECT_THAT(proposal->words, HasSubstr("predicted change of σ is: r_l1"));
   for (std::size_t i = 0; i < proposal->now.size(); ++i) EXPECT_LT(proposal->then[i], proposal->now[i]);
   for (std::size_t i = 0; i < 3; ++i) EXPECT_LT(proposal->then[i], 0.5 * proposal->now[i]) << "a radius";
 

@@ -195,7 +195,7 @@ TEST(DriveRecovery, WhatIsNotSeenStaysNominalAndSaysSo) {
     if (!motor) continue;
     EXPECT_FALSE(estimate.seen);
     EXPECT_EQ(estimate.log, 0.0);
-    EXPECT_NE(estimate.advice.find("record the motor torque"), std::string::npos) << estimate.advice;
+    EXPECT_NE(estimate.advice.find("Record the motor torque"), std::string::npos) << estimate.advice;
   }
   EXPECT_EQ(report.robot.drives.front().motor_friction.coulomb, jaw().drives.front().motor_friction.coulomb);
 }

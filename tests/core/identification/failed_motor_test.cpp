@@ -120,10 +120,10 @@ TEST(FailedMotor, ALiveRecordingStopsThereAndSaysSo) {
   EXPECT_LE(held.motors.t.back(), 4.0);
   EXPECT_LE(held.cameras.back().t, 4.0);
   EXPECT_TRUE(live.extent().motor_failed);
-  EXPECT_NE(wordsOf(live.extent()).find("a motor's encoder has failed"), std::string::npos);
+  EXPECT_NE(wordsOf(live.extent()).find("A motor encoder has failed"), std::string::npos);
   LiveExtent never;
   never.motor_failed = true;
-  EXPECT_NE(wordsOf(never).find("nothing can be identified"), std::string::npos);
+  EXPECT_NE(wordsOf(never).find("Nothing can be identified"), std::string::npos);
 }
 
 TEST(FailedMotor, ThePulleyIsStillFound) {

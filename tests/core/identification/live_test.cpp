@@ -117,9 +117,19 @@ TEST(Live, SaysHowOldItsValuesAreOnlyWhereTheyLagBehindTheRecording) {
   session.live.start(session.source.info().robot, "r_l1");
   session.feedTo(6.0);
   ASSERT_EQ(session.run(100.0), 1);
-  EXPECT_EQ(session.live.words().find("values of the first"), std::string::npos) << session.live.words();
+  EXPECT_EQ(session.live.words().find("first"), std::string::npos) << session.live.words();
   session.feedTo(6.0 + LiveIdentification::kLag + 1.0);
-  EXPECT_NE(session.live.words().find("values of the first 6 s"), std::string::npos) << session.live.words();
+  EXPECT_NE(session.live.words().find("computed from the first 6 s only. The computation is slower than"),
+            std::string::npos)
+      << session.live.words();
+  session.live.stop();
+  EXPECT_NE(
+      session.live.words().find("from the first 6 s only. The computation from all of them is under way"),
+      std::string::npos)
+      << session.live.words();
+  ASSERT_EQ(session.run(200.0), 1);
+  EXPECT_EQ(session.live.words(),
+            "Stopped. The values are computed from 9 s by the dual UKF. Accept takes r_l1.");
 }
 
 TEST(Live, TheNextRunWaitsAsLongAsTheLastOneTook) {
@@ -210,16 +220,16 @@ TEST(Live, KeepsNoMoreThanItsLongest) {
 
 TEST(Live, SaysWhyNothingComes) {
   LiveExtent extent;
-  EXPECT_NE(wordsOf(extent).find("waiting"), std::string::npos);
+  EXPECT_NE(wordsOf(extent).find("Waiting"), std::string::npos);
   extent.motors = 5000;
   extent.seconds = 5.0;
   EXPECT_NE(wordsOf(extent).find("no camera"), std::string::npos);
   extent.cameras = 70;
-  EXPECT_NE(wordsOf(extent).find("not seen"), std::string::npos);
+  EXPECT_NE(wordsOf(extent).find("do not detect"), std::string::npos);
   extent.registered = false;
   EXPECT_NE(wordsOf(extent).find("not registered"), std::string::npos);
   extent = {.seconds = 12.4, .motors = 12400, .cameras = 180, .observations = 160};
-  EXPECT_EQ(wordsOf(extent), "12 s, tip seen 160 times");
+  EXPECT_EQ(wordsOf(extent), "12 s collected; the tip was observed 160 times.");
 }
 
 TEST(Live, WhatCannotBeSeenIsWeakAndStaysAsItIs) {
@@ -231,8 +241,8 @@ TEST(Live, WhatCannotBeSeenIsWeakAndStaysAsItIs) {
   ASSERT_EQ(rows.size(), 2U);
   EXPECT_TRUE(rows[0].seen);
   EXPECT_FALSE(rows[1].seen);
-  EXPECT_EQ(rows[1].value, "weak");
-  EXPECT_NE(rows[1].words.find("move faster"), std::string::npos) << rows[1].words;
+  EXPECT_EQ(rows[1].value, "not observable");
+  EXPECT_NE(rows[1].words.find("Move faster"), std::string::npos) << rows[1].words;
   EXPECT_EQ(session.live.summary().find("b_e1"), std::string::npos);
   EXPECT_EQ(session.live.accept().drives[0].cable_damping, file.drives[0].cable_damping);
 }
@@ -268,7 +278,8 @@ TEST(Live, RefinesByTheBatchMethodOnDemand) {
   EXPECT_TRUE(session.live.refined());
   EXPECT_NEAR(session.live.shown().estimates[0].value(), 0.059, 0.003 * 0.059);
   EXPECT_EQ(session.live.trace().size(), trace) << "the dual UKF's stays";
-  EXPECT_NE(session.live.words().find("batch method over 15 s"), std::string::npos) << session.live.words();
+  EXPECT_NE(session.live.words().find("from 15 s by the batch method"), std::string::npos)
+      << session.live.words();
 }
 
 TEST(Live, ACancelledRunEndsBeforeItsRecordingDoes) {

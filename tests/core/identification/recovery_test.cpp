@@ -204,7 +204,7 @@ TEST(Recovery, AnArmAtRestSaysThatNothingCanBeSeen) {
   for (const auto& estimates : {identifyBatch(data, set).estimates, identifyDualUkf(data, set).estimates})
     for (const Estimate& estimate : estimates) {
       EXPECT_FALSE(estimate.seen) << estimate.parameter.name();
-      EXPECT_NE(estimate.advice.find("move"), std::string::npos) << estimate.advice;
+      EXPECT_NE(estimate.advice.find("Move"), std::string::npos) << estimate.advice;
     }
 }
 

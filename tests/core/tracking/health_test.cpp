@@ -119,6 +119,31 @@ TEST_F(HealthTest, EveryFaultIsNamedByItsOwnCheck) {
   expectOnly("transmission", HealthVerdict::kCautious);
 }
 
+TEST_F(HealthTest, ImagesThatWereBlockedDeliberatelyAreNotJudged) {
+  const auto blocked = [](Snapshot& s) {
+    s.view_blocked[0] = true;
+    s.marker[0].fault = vision::MarkerFault::kNoPixels;
+  };
+  run(60.0, [&](Snapshot& s, int i) {
+    if (i % 5 < 2) blocked(s);
+  });
+  EXPECT_EQ(check("detection_left").verdict, HealthVerdict::kPass);
+  EXPECT_EQ(check("detection_left").value, "100.0 % of 540 images; 360 more were blocked deliberately");
+  EXPECT_EQ(check("detection_right").value, "100.0 % of images");
+  report_ = {};
+  run(60.0, [&](Snapshot& s, int i) {
+    if (i % 5 < 2) blocked(s);
+    if (i % 5 == 2) s.marker[0].fault = vision::MarkerFault::kNoPixels;
+  });
+  EXPECT_EQ(check("detection_left").verdict, HealthVerdict::kCautious)
+      << "a third of the others has no marker";
+  EXPECT_NE(check("detection_left").advice.find("not found in 33 % of the left"), std::string::npos);
+  report_ = {};
+  run(60.0, [&](Snapshot& s, int) { blocked(s); });
+  EXPECT_EQ(check("detection_left").verdict, HealthVerdict::kUnknown);
+  EXPECT_EQ(check("detection_left").value, "all 900 images were blocked deliberately");
+}
+
 TEST_F(HealthTest, ADelayIsSetWhereTheSessionHasIt) {
   run(60.0, [](Snapshot& s, int) { s.transmission.camera_delay = -0.1; });
   EXPECT_NE(check("transmission").advice.find("reduce camera_delay in the filter options by 0.100 s"),

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/identification/estimate_text.h"
 #include "widgets/panels/identification/change_text.h"
 #include "widgets/panels/identification/motion_offer.h"
 #include "widgets/panels/identification/parameter_choice.h"
@@ -384,6 +385,16 @@ void IdentificationPanel::showButtons() {
   refine_->setText(live_.refining() ? tr("Cancel") : tr("Refine"));
   refine_->setEnabled(!live_.shown().estimates.empty());
   accept_->setEnabled(live_.acceptable() && !live_.refining());
+  const auto& estimates = live_.shown().estimates;
+  accept_->setToolTip(
+      QStringLiteral("<qt>%1 %2</qt>")
+          .arg(tr("The filter uses the identified values from now on; errors restart (Ctrl+Return)."),
+               estimates.empty() ? QString()
+                                 : text(identification::identifiedText(estimates)).toHtmlEscaped()));
+  words_->setToolTip(accepted || estimates.empty()
+                         ? QString()
+                         : QStringLiteral("<qt>%1</qt>")
+                               .arg(text(identification::identifiedText(estimates)).toHtmlEscaped()));
   for (auto* one : {refine_, discard_, accept_}) one->setVisible(!idle && !accepted);
   for (auto* one : {revert_, save_}) one->setVisible(accepted);
 }
