@@ -22,6 +22,8 @@
 #include "widgets/panels/learning/learning_panel.h"
 #include "widgets/panels/notes/notes_panel.h"
 #include "widgets/panels/occlusion/occlusion_panel.h"
+#include "widgets/panels/registration/poses_page.h"
+#include "widgets/panels/registration/registration_panel.h"
 #include "widgets/panels/replay/replay_bar.h"
 #include "widgets/panels/status/status_line.h"
 #include "widgets/scene/scene_view.h"
@@ -42,6 +44,7 @@
 #include "widgets/shell/settings_watch.h"
 #include "widgets/shell/source_menu.h"
 #include "widgets/shell/units_dialog.h"
+#include "widgets/shell/unsaved_poses.h"
 #include "widgets/shell/window_menus.h"
 #include "widgets/shell/window_title.h"
 #include "widgets/video/stereo_view.h"
@@ -342,6 +345,7 @@ void MainWindow::restore() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+  if (!settleUnsavedPoses(registration_->posesPage(), bar_->recordingFolder(), this)) return event->ignore();
   if (link_.recording()) link_.runner()->stopRecording();
   settings_->setValue("theme", theme_.name);
   settings_->setValue("geometry", saveGeometry());
