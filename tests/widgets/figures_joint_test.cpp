@@ -54,6 +54,14 @@ class JointFigureTest : public testing::Test {
   JointFigure figure_;
 };
 
+TEST_F(JointFigureTest, OnlyALiveSourceIsCalledLive) {
+  EXPECT_TRUE(live()->text().contains("newest"));
+  figure_.setLive(true);
+  EXPECT_TRUE(live()->text().contains("live"));
+  figure_.setLive(false);
+  EXPECT_FALSE(live()->text().contains("live"));
+}
+
 TEST_F(JointFigureTest, FollowsTheNewestSample) {
   EXPECT_TRUE(figure_.following());
   EXPECT_FALSE(live()->isVisible());

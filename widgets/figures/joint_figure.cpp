@@ -27,7 +27,8 @@ JointFigure::JointFigure(const JointHistory& history, Medium medium, QWidget* pa
   setNoAntialiasingOnDrag(false);
   setPlottingHints(QCP::phFastPolylines | QCP::phCacheLabels);
   setAccessibleName(tr("Joint positions over time"));
-  live_ = new QPushButton(tr("▸▸ live  End"), this);
+  live_ = new QPushButton(this);
+  setLive(false);
   live_->setToolTip(tr("Follow the newest sample again (End)"));
   live_->setFocusPolicy(Qt::NoFocus);
   live_->setCursor(Qt::PointingHandCursor);
@@ -266,6 +267,8 @@ void JointFigure::placeLiveButton() {
   live_->adjustSize();
   live_->move(area.right() - live_->width() - 6, area.top() + 6);
 }
+
+void JointFigure::setLive(bool live) { live_->setText(live ? tr("▸▸ live  End") : tr("▸▸ newest  End")); }
 
 void JointFigure::setFollowing(bool on) {
   if (on)

@@ -21,10 +21,10 @@ namespace capstan::widgets {
 
 /// The three joint plots over one time axis, with one legend and the values under the cursor (else the
 /// newest). Wheel: zoom in time; wheel on a value axis: zoom that axis; drag: move in time; Shift and drag:
-/// zoom to the box; double click, End or the button at the top right: back to live. Click on a name in the
-/// legend: hide or show that curve. D: errors in place of positions; S: statistics of the visible range; M:
-/// mark at the cursor, Esc: no mark. The same figure is drawn on screen and into PNG, PDF and SVG files
-/// (save_figure.h).
+/// zoom to the box; double click, End or the button at the top right: back to the newest sample. Click on a
+/// name in the legend: hide or show that curve. D: errors in place of positions; S: statistics of the visible
+/// range; M: mark at the cursor, Esc: no mark. The same figure is drawn on screen and into PNG, PDF and SVG
+/// files (save_figure.h).
 class JointFigure : public QCustomPlot {
   Q_OBJECT
  public:
@@ -68,6 +68,10 @@ class JointFigure : public QCustomPlot {
   /// Draws the present content of the history. `at_once`: inside this call; otherwise when the event loop is
   /// next idle, and only if anything in view has changed.
   void refresh(bool at_once = false);
+
+  /// Sets whether the newest sample is of now, so that the button goes back to live; else it goes back to the
+  /// newest sample, as of a recording that is tracked.
+  void setLive(bool live);
 
   /// Whether the right edge stays at the newest sample. Otherwise the view stands still while data arrive.
   bool following() const { return following_; }

@@ -247,6 +247,7 @@ void MainWindow::onOpened(const tracking::SourceInfo& info, const SourceChoice& 
     names[i] = i < info.robot.joints.size() ? QString::fromStdString(info.robot.joints[i].name)
                                             : tr("joint %1").arg(i + 1);
   figure_->setJointNames(names);
+  figure_->setLive(info.real_time);
   figure_->setFollowing(true);
   scene_->setRobot(info.robot, info.rig, info.base_from_camera);
   if (!info.rig) video_->clear(tr("this source has no images"));
