@@ -35,6 +35,7 @@ struct TrackReport {
   std::uint64_t rescues = 0, late_dropped = 0;
   std::uint64_t motor_refused = 0;  ///< motor samples that were not finite or not later than the one before
   bool live_cameras = false;        ///< a live source with cameras, noteSource(); else false
+  bool own_kinematics = false;      ///< the errors are differences from the robot's own kinematics
   std::uint64_t lost = 0;           ///< samples that a live source lost or dropped, noteSource(); else 0
   std::array<MotorFault, 3> motor_failed{};    ///< failed encoders at the end
   std::array<double, 3> motor_failed_since{};  ///< time of detection or declaration [s]
@@ -47,7 +48,7 @@ struct TrackReport {
   double detectionRate(int side) const;  ///< share of frames with a marker, 0 left, 1 right
   double nisMean() const;  ///< mean NIS of accepted camera samples over its 3 degrees of freedom; NaN: none
   double rayNisMean() const;  ///< mean NIS of the ray updates over their 2 degrees of freedom; NaN: none
-  double neesMean() const;    ///< mean position NEES over its 3 degrees of freedom; NaN: no reference
+  double neesMean() const;    ///< mean position NEES over its 3 degrees of freedom; NaN: no true reference
 
  private:
   /// Computes the increase of a running total of the pipeline from snapshot to snapshot.

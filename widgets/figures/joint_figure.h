@@ -141,7 +141,7 @@ class JointFigure : public QCustomPlot {
   void showSecond();
   void setTitles();
   void drawAnew();
-  void noticeUnknown();
+  void noticeReference();
   void fitHeaders();
   QString noteText(const QCPRange& time) const;
   void placeLiveButton();
@@ -167,7 +167,8 @@ class JointFigure : public QCustomPlot {
   /// Mean and RMS of the errors in view, by joint.
   std::array<std::array<FigureHeader*, 2>, 3> statistics_{};
   bool statistics_on_ = false;
-  bool unknown_ = false;  ///< errors are shown, and there is no reference
+  bool unknown_ = false;         ///< errors are shown, and there is no reference
+  bool own_kinematics_ = false;  ///< the reference is the robot's own kinematics
   std::vector<NoteFlag> note_flags_;
   std::array<NoteFlags*, 3> flags_{};
   bool following_ = true;

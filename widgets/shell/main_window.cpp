@@ -177,8 +177,7 @@ void MainWindow::connectLink() {
   });
   connect(&link_, &SessionLink::unitsAsked, this, &MainWindow::askUnits);
   connect(&link_, &SessionLink::status, this, &MainWindow::onStatus);
-  connect(&link_, &SessionLink::report, this,
-          [this](const auto& report) { errors_->showErrors(report.errors); });
+  connect(&link_, &SessionLink::report, this, [this](const auto& report) { errors_->showReport(report); });
   connect(&link_, &SessionLink::history, this, [this](const std::vector<tracking::Snapshot>& snapshots) {
     for (const auto& snapshot : snapshots) history_.append(snapshot);
     figure_->refresh();
