@@ -75,6 +75,16 @@ TEST(ErrorsPanel, DifferencesFromTheRobotsOwnKinematicsAreNoErrors) {
   test::grab(panel, "errors_panel_own_kinematics");
 }
 
+TEST(ErrorsPanel, SaysSinceWhenItCounts) {
+  ErrorsPanel panel;
+  panel.resize(260, 150);
+  auto report = knownErrors();
+  report.since = tracking::ReportStart::kRegistration;
+  panel.showReport(report);
+  EXPECT_EQ(panel.note(), "10 since the registration");
+  test::grab(panel, "errors_panel_since");
+}
+
 TEST(ErrorsPanel, GoesToTheClipboardAsATable) {
   ErrorsPanel panel;
   panel.showReport(knownErrors());

@@ -26,9 +26,17 @@ QString samplesOf(const tracking::TrackReport& report) {
   return QString::number(report.errors.ukf().count());
 }
 
+/// What restarted the report; empty: nothing.
+QString startOf(const tracking::TrackReport& report) {
+  if (report.since == tracking::ReportStart::kBeginning) return {};
+  return QString::fromStdString(std::string(base::nameOf(report.since)));
+}
+
 QString noteOf(const tracking::TrackReport& report) {
   if (report.own_kinematics) return ErrorsPanel::tr("own kinematics, no truth");
-  return ErrorsPanel::tr("%1 samples").arg(samplesOf(report));
+  const QString start = startOf(report);
+  return start.isEmpty() ? ErrorsPanel::tr("%1 samples").arg(samplesOf(report))
+                         : ErrorsPanel::tr("%1 since %2").arg(samplesOf(report), start);
 }
 
 QString tipOf(const tracking::TrackReport& report) {
@@ -37,7 +45,13 @@ QString tipOf(const tracking::TrackReport& report) {
                "The reference is the robot's own kinematics, computed from its motors: these are "
                "differences from it, not errors. %1 samples.")
         .arg(samplesOf(report));
-  return {};
+  const QString start = startOf(report);
+  return start.isEmpty() ? QString()
+                         : ErrorsPanel::tr(
+                               "RMS of the samples since %1, at %2 s: those before are of other "
+                               "assumptions")
+                               .arg(start)
+                               .arg(report.first_t, 0, 'f', 1);
 }
 
 }  // namespace
