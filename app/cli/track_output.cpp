@@ -94,7 +94,7 @@ std::string textOf(const TrackReport& report, const tracking::SourceInfo& info, 
   std::string text;
   if (info.own_kinematics)
     text += "reference: the robot's own kinematics, no truth; these are differences from it, not errors\n\n";
-  text += report.errors.text();
+  text += report.errors.text(info.own_kinematics ? "RMS diff." : "RMS error");
   const double span = report.last_t - report.first_t;
   text += fmt::format("\nmotor samples  {} over {:.3f} s\n", report.motor_samples, span);
   text += fmt::format("camera samples {} ({} pairs of images)\n", report.camera_samples, report.frames);

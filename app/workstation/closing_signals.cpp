@@ -5,9 +5,12 @@
 
 #include <QApplication>
 #include <QSocketNotifier>
+#include <QVariant>
 #include <cerrno>
 #include <csignal>
 #include <system_error>
+
+#include "widgets/shell/unsaved_poses.h"
 
 namespace capstan::workstation {
 namespace {
@@ -30,6 +33,7 @@ void closeOnSignals(QCoreApplication& application) {
   auto* notifier = new QSocketNotifier(pipe_ends[0], QSocketNotifier::Read, &application);
   QObject::connect(notifier, &QSocketNotifier::activated, &application, [notifier] {
     notifier->setEnabled(false);
+    QCoreApplication::instance()->setProperty(widgets::kUnattended, true);
     QApplication::closeAllWindows();
     QApplication::quit();
   });

@@ -137,10 +137,11 @@ Analysis analyse(const ErrorRun& a, const ErrorRun* b, const AnalysisOptions& op
   const auto has = [&](experiments::Estimator one) {
     return std::find(chosen.begin(), chosen.end(), one) != chosen.end();
   };
-  analysis.against = b ? Against::kRun
-                     : has(experiments::Estimator::kKinematic) && has(experiments::Estimator::kUkf)
-                         ? Against::kKinematic
-                         : Against::kNothing;
+  analysis.against =
+      b ? Against::kRun
+      : !a.own_kinematics && has(experiments::Estimator::kKinematic) && has(experiments::Estimator::kUkf)
+          ? Against::kKinematic
+          : Against::kNothing;
   for (AnalysisRow& row : analysis.rows) {
     const bool against_kinematic =
         analysis.against == Against::kKinematic && row.estimator == experiments::Estimator::kUkf;

@@ -84,7 +84,8 @@ struct AnalysisRow {
 enum class Against {
   kNothing,
   kRun,       ///< differences are B − A
-  kKinematic  ///< differences of a single run are UKF − kinematic, at the same instants
+  kKinematic  ///< differences of a single run are UKF − kinematic, at the same instants; not where the
+              ///< reference is the robot's own kinematics
 };
 
 struct Analysis {

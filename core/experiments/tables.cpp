@@ -82,13 +82,29 @@ TableCell covers(const ParameterEstimate& estimate, double truth) {
   return estimate.low <= truth && truth <= estimate.high ? "yes" : "no";
 }
 
+/// True when a reference is the robot's own kinematics: the numbers are then differences from it.
+bool againstOwnKinematics(const Results& results) {
+  return std::any_of(results.trials.begin(), results.trials.end(),
+                     [](const TrialResult& trial) { return trial.own_kinematics; });
+}
+
+std::string rmsName(const Results& results) {
+  return againstOwnKinematics(results) ? "RMS differences from the robot's own kinematics" : "RMS errors";
+}
+
+std::string ownNote(const Results& results) {
+  return againstOwnKinematics(results)
+             ? "The reference is the robot's own kinematics: it cannot show which estimate is right. "
+             : "";
+}
+
 /// "Means over 6 trials; P of equal means, two-sided. " Trials without joint encoders are not counted.
 std::string meansNote(const Results& results) {
   const auto with = std::count_if(results.trials.begin(), results.trials.end(), hasErrors);
   const auto without = results.trials.size() - static_cast<std::size_t>(with);
   std::string text = fmt::format("Means over {} {}", with, with == 1 ? "trial" : "trials");
   if (without > 0) text += fmt::format(", {} without joint encoders excluded", without);
-  return text + (with > 1 ? "; P of equal means, two-sided. " : ". ");
+  return text + (with > 1 && !againstOwnKinematics(results) ? "; P of equal means, two-sided. " : ". ");
 }
 
 std::string simulatedNote(const Results& results) {
@@ -194,7 +210,7 @@ Improvement improvementOf(const Results& results, Estimator before, Estimator af
 Table trialTable(const Results& results, const Published* published) {
   published = beside(results, published);
   Table table;
-  table.title = nameOf(results) + ": RMS errors by trial";
+  table.title = nameOf(results) + ": " + rmsName(results) + " by trial";
   table.columns = {{"trial", "", 3, NumberStyle::kFixed, true},
                    {"duration", "s", 0, NumberStyle::kFixed, true},
                    {"joint", ""}};
@@ -219,15 +235,16 @@ Table trialTable(const Results& results, const Published* published) {
       table.rows.push_back(std::move(row));
     }
   }
-  table.note = "RMS over all n reference samples; camera: over accepted images. " + robotNote(results) +
-               simulatedNote(results);
+  table.note = "RMS over all n reference samples; camera: over accepted images. " + ownNote(results) +
+               robotNote(results) + simulatedNote(results);
   return table;
 }
 
 Table meanTable(const Results& results, const Published* published) {
   published = beside(results, published);
   Table table;
-  table.title = nameOf(results) + ": mean RMS errors and improvement";
+  const bool differences = againstOwnKinematics(results);  // nothing improves on its own reference
+  table.title = nameOf(results) + ": mean " + rmsName(results) + (differences ? "" : " and improvement");
   table.columns = {{"joint", ""}};
   const auto column = [&](const char* name, const char* unit, int digits,
                           NumberStyle style = NumberStyle::kFixed) {
@@ -236,10 +253,12 @@ Table meanTable(const Results& results, const Published* published) {
   };
   column("kinematic", "", 3);
   column("UKF", "", 3);
-  column("improvement", "%", 1);
-  column("P, pooled", "", 2, NumberStyle::kSignificant);
-  table.columns.push_back({"P, Welch", "", 2, NumberStyle::kSignificant});
-  const bool identified = anotherRobot(results);
+  if (!differences) {
+    column("improvement", "%", 1);
+    column("P, pooled", "", 2, NumberStyle::kSignificant);
+    table.columns.push_back({"P, Welch", "", 2, NumberStyle::kSignificant});
+  }
+  const bool identified = !differences && anotherRobot(results);
   if (identified) table.columns.push_back({"improvement on identified kinematics", "%", 1});
   for (int joint = 0; joint < 3; ++joint) {
     const Improvement ours = improvementOf(results, Estimator::kKinematic, Estimator::kUkf, joint);
@@ -253,13 +272,15 @@ Table meanTable(const Results& results, const Published* published) {
     const PublishedMeans paper = published ? published->table_2 : PublishedMeans{};
     pair(publishedScale(joint) * paper.kinematic[j], ours.mean_before);
     pair(publishedScale(joint) * paper.ukf[j], ours.mean);
-    pair(paper.improvement[j], ours.percent);
-    pair(paper.p_value[j], ours.p_pooled);
-    row.push_back(ours.p_welch);
+    if (!differences) {
+      pair(paper.improvement[j], ours.percent);
+      pair(paper.p_value[j], ours.p_pooled);
+      row.push_back(ours.p_welch);
+    }
     if (identified) row.push_back(rest.percent);
     table.rows.push_back(std::move(row));
   }
-  table.note = meansNote(results) + robotNote(results) +
+  table.note = meansNote(results) + ownNote(results) + robotNote(results) +
                (identified ? "Identified kinematics: transmission kinematics of the identified robot, the "
                              "effect of calibration alone. "
                            : "") +
@@ -296,7 +317,9 @@ Table parameterTable(const Results& results, const Published* published) {
 
 Table boxplotTable(const Results& results) {
   Table table;
-  table.title = nameOf(results) + ": absolute errors of the UKF";
+  table.title = nameOf(results) + (againstOwnKinematics(results)
+                                       ? ": absolute differences of the UKF from the robot's own kinematics"
+                                       : ": absolute errors of the UKF");
   table.columns = {{"trial", "", 3, NumberStyle::kFixed, true},
                    {"joint", ""},
                    {"median, kinematic", ""},

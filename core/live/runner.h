@@ -85,6 +85,7 @@ class Runner {
   // occlusion was added.
   void block(bool left, bool right);  ///< blocks cameras by hand from now on
   void setOcclusion(const OcclusionSchedule& schedule);
+  /// Registers the cameras from now on. report() restarts, unless the registration is the one in use.
   void setRegistration(const Eigen::Isometry3d& base_from_camera);
   /// Looks for another marker from the next images on. Recordings store its options.
   void setMarker(const vision::MarkerOptions& marker);
@@ -129,7 +130,7 @@ class Runner {
   std::shared_ptr<const recording::Recorder> recorder() const;
 
   RunStatus status() const;
-  /// Report over every step since the start or resetErrors(); at most 0.1 s old.
+  /// Report over every step since TrackReport::since; at most 0.1 s old.
   tracking::TrackReport report() const;
   /// Checks of the estimator over report(), for the robot in use.
   std::vector<tracking::HealthCheck> health() const;

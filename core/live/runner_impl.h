@@ -92,6 +92,8 @@ class Runner::Impl {
   void setRegistration(const Eigen::Isometry3d& pose) {
     in_use_.setRegistration(pose);
     post([this, pose] {
+      const auto& former = pipeline_.registration();
+      if (!former || !former->isApprox(pose)) restartReport(tracking::ReportStart::kRegistration);
       pipeline_.setRegistration(pose);
       if (listener_) listener_.begin(pipeline_);
       recording_.setRegistration(t_, pose);
@@ -110,21 +112,21 @@ class Runner::Impl {
   void setRobot(const robot::Description& robot, const std::string& note) {
     tracking::SourceInfo info = in_use_.info();
     info.robot = robot;
-    rebuild(info, in_use_.tracking(), "robot", note);
+    rebuild(info, in_use_.tracking(), tracking::ReportStart::kRobot, "robot", note);
     in_use_.setRobot(robot);
   }
 
   void setTracking(const tracking::TrackingOptions& options) {
     const std::string changes = tracking::optionChanges(in_use_.tracking(), options);
     if (changes.empty()) return;
-    rebuild(in_use_.info(), options, "filter options", changes);
+    rebuild(in_use_.info(), options, tracking::ReportStart::kFilterOptions, "filter options", changes);
     in_use_.setTracking(options);
   }
 
   void setRig(const vision::StereoRig& rig, const std::string& note) {
     tracking::SourceInfo info = in_use_.info();
     info.rig = rig;
-    rebuild(info, in_use_.tracking(), "cameras", note);
+    rebuild(info, in_use_.tracking(), tracking::ReportStart::kCameras, "cameras", note);
     in_use_.setRig(rig);
   }
   void setImages(const vision::ImageCorrection& images) {
@@ -143,7 +145,7 @@ class Runner::Impl {
   }
 
   void resetErrors() {
-    post([this] { report_ = {}; });
+    post([this] { restartReport(tracking::ReportStart::kReset); });
   }
   void note(std::string text) {
     post([this, text = std::move(text)] { recording_.note(t_, "note", text); });
@@ -205,15 +207,22 @@ class Runner::Impl {
 
   /// Replaces the pipeline before the next sample, which a recording under way notes.
   void rebuild(const tracking::SourceInfo& info, const tracking::TrackingOptions& options,
-               const std::string& kind, const std::string& note) {
+               tracking::ReportStart start, const std::string& kind, const std::string& note) {
     auto next = std::make_shared<tracking::TrackingPipeline>(tracking::makePipeline(info, options));
-    post([this, next, kind, note] {
+    post([this, next, start, kind, note] {
       tracking::takeOver(pipeline_, *next);
       pipeline_ = std::move(*next);
-      report_ = {};
+      restartReport(start);
       if (listener_) listener_.begin(pipeline_);
       recording_.note(t_, kind, note);
     });
+  }
+
+  /// Errors of before `start` are of other assumptions. A report without samples keeps its beginning.
+  void restartReport(tracking::ReportStart start) {
+    const auto since = report_.motor_samples > 0 ? start : report_.since;
+    report_ = {};
+    report_.since = since;
   }
 
   void work() {

@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/base/nan.h"
+#include "core/recording/own_kinematics.h"
 #include "core/recording/read_table.h"
 #include "core/recording/session_source.h"
 #include "core/recording/settle_units.h"
@@ -61,6 +62,12 @@ TableSource::TableSource(MeasuredTable table, const robot::Description& robot) :
   info_.reference = !table_.q.empty();
   info_.own_kinematics = table_.own_kinematics;
   info_.notices = noticesOf(table_);
+  if (table_.own_kinematics || !isOwnKinematics(table_, robot)) return;
+  info_.own_kinematics = true;
+  info_.notices.push_back(
+      fmt::format("{}: q1, q2, q3 follow from the motor positions by {} to {} deg and mm: taken as the "
+                  "robot's own kinematics, no truth",
+                  table_.file, robot.name, kOwnKinematics));
 }
 
 std::vector<std::string> noticesOf(const MeasuredTable& table) {

@@ -11,7 +11,6 @@
 #include "core/table_files/write_columns.h"
 
 namespace capstan::registration {
-namespace {}  // namespace
 
 bool PoseCollector::isNew(const Eigen::Vector3d& tip, const std::vector<CollectedPose>& poses) const {
   return std::ranges::all_of(
@@ -40,7 +39,7 @@ void PoseCollector::exclude(std::size_t pose, bool excluded) {
 }
 
 void PoseCollector::clear() {
-  collecting_ = checking_ = false;
+  stop();
   poses_.clear();
   checks_.clear();
   refit();

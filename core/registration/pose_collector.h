@@ -40,6 +40,8 @@ class PoseCollector {
   /// Collects poses, or stops.
   void setCollecting(bool on) { collecting_ = on; }
   bool collecting() const { return collecting_; }
+  /// Ends the collection and a check. The poses stay.
+  void stop() { collecting_ = checking_ = false; }
   /// Takes the next snapshot, in order. Returns true when a pose was added.
   bool observe(const tracking::Snapshot& snapshot);
   /// Excludes a pose from the fit, or includes it again.

@@ -17,8 +17,8 @@ void ErrorTable::add(const Snapshot& snapshot) {
     camera_.add(snapshot.q_link_cam - snapshot.q_link_true_cam);
 }
 
-std::string ErrorTable::text() const {
-  std::string text = fmt::format("{:<9}{:>12}{:>12}{:>12}\n", "RMS error", "kinematic", "camera", "UKF");
+std::string ErrorTable::text(std::string_view head) const {
+  std::string text = fmt::format("{:<9}{:>12}{:>12}{:>12}\n", head, "kinematic", "camera", "UKF");
   const std::array<const JointRms*, 3> columns = {&kinematic_, &camera_, &ukf_};
   for (int joint = 0; joint < 3; ++joint) {
     text += fmt::format("q{} [{}] ", joint + 1, kJointUnits[static_cast<std::size_t>(joint)])

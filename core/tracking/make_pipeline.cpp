@@ -17,6 +17,7 @@ TrackingPipeline makePipeline(const SourceInfo& info, const TrackingOptions& opt
           : base::readYaml<vision::MarkerOptions>(info.marker, "marker options of " + info.title);
   TrackingPipeline pipeline(info.robot, info.rig, marker, options);
   if (info.base_from_camera) pipeline.setRegistration(*info.base_from_camera);
+  pipeline.setOwnKinematics(info.own_kinematics);
   return pipeline;
 }
 

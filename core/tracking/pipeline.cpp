@@ -19,6 +19,7 @@ void TrackingPipeline::setRegistration(const Eigen::Isometry3d& base_from_camera
 const std::optional<Eigen::Isometry3d>& TrackingPipeline::registration() const {
   return impl_->base_from_camera_;
 }
+void TrackingPipeline::setOwnKinematics(bool own) { impl_->setOwnKinematics(own); }
 void TrackingPipeline::setMarker(const vision::MarkerOptions& marker) { impl_->setMarker(marker); }
 void TrackingPipeline::setMotorFailed(int motor, bool failed) { impl_->declare(motor, failed); }
 const Snapshot& TrackingPipeline::step(const Sample& sample) { return impl_->step(sample); }

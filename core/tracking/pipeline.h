@@ -49,6 +49,10 @@ class TrackingPipeline {
   void setRegistration(const Eigen::Isometry3d& base_from_camera);
   const std::optional<Eigen::Isometry3d>& registration() const;
 
+  /// States that joint samples are the robot's own kinematics (SourceInfo::own_kinematics), which is no
+  /// truth.
+  void setOwnKinematics(bool own);
+
   /// Looks for another marker from the next images on.
   void setMarker(const vision::MarkerOptions& marker);
 

@@ -69,6 +69,8 @@ class TrackingPipeline::Impl {
     nis_.reset();
   }
 
+  void setOwnKinematics(bool own) { snapshot_.own_kinematics = own; }
+
   /// Pixel noise and NIS are those of the marker.
   void setMarker(const vision::MarkerOptions& marker) {
     if (!rig_) return;
@@ -88,7 +90,9 @@ class TrackingPipeline::Impl {
     nis_.reset();
     corrected_since_ = -std::numeric_limits<double>::infinity();
     started_ = reference_pending_ = false;
+    const bool own_kinematics = snapshot_.own_kinematics;
     snapshot_ = emptySnapshot();
+    snapshot_.own_kinematics = own_kinematics;
     snapshot_.motor_failed = watch_.faults();
   }
 
@@ -311,6 +315,7 @@ class TrackingPipeline::Impl {
     if (!reference_pending_ || !started_ || std::abs(reference_time_ - snapshot_.t) > kSameTime) return;
     reference_pending_ = false;
     snapshot_.reference_paired = true;
+    if (snapshot_.own_kinematics) return;
     const Vector3d error = snapshot_.q_link_ukf - snapshot_.q_link_true;
     snapshot_.nees = error.dot(view_.positionCovariance().llt().solve(error));
   }

@@ -64,6 +64,8 @@ struct Snapshot {
   Eigen::Vector3d cable_tension;     ///< gamma at the estimate [N]
 
   bool reference_paired = false;  ///< since this step q_link_true and the estimates are of one time
+  /// q_link_true is the robot's own transmission kinematics: estimates differ from it, but that is no error.
+  bool own_kinematics = false;
 
   double t_cam = 0.0;                             ///< exposure time of the newest camera sample
   double latency = 0.0;                           ///< arrival minus exposure of the newest camera sample [s]
@@ -91,7 +93,8 @@ struct Snapshot {
   Eigen::Vector3d innovation, innovation_sigma;
   double nis_mean = 0.0;       ///< mean NIS of the last camera updates, divided by its degrees of freedom
   bool nis_consistent = true;  ///< nis_mean inside the 95 % chi-square band
-  double nees = 0.0;  ///< NEES of the joint positions (3 degrees of freedom) if the truth is known, else NaN
+  double nees =
+      0.0;  ///< NEES of the joint positions (3 degrees of freedom) if a true reference is known, else NaN
   std::uint64_t rescues = 0;       ///< number of Cholesky down-dates that used the fallback
   std::uint64_t late_dropped = 0;  ///< camera samples outside the filter's memory (usually too late)
 };

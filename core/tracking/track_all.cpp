@@ -15,6 +15,7 @@ double ratio(double part, std::uint64_t whole) {
 void TrackReport::add(const Snapshot& snapshot) {
   errors.add(snapshot);
   transmission = snapshot.transmission;
+  own_kinematics = snapshot.own_kinematics;
   if (snapshot.motor_updated && motor_samples++ == 0) first_t = snapshot.t;
   if (motor_samples > 0) last_t = snapshot.t;
   for (std::size_t i = 0; i < 3; ++i) {

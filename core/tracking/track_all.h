@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "core/base/names.h"
 #include "core/base/progress.h"
 #include "core/tracking/error_table.h"
 #include "core/tracking/innovation_record.h"
@@ -14,6 +15,9 @@
 #include "core/tracking/pipeline.h"
 
 namespace capstan::tracking {
+
+/// What restarted a report during a session. kBeginning: nothing, it covers the whole session so far.
+enum class ReportStart : std::uint8_t { kBeginning, kReset, kRegistration, kRobot, kFilterOptions, kCameras };
 
 /// Result of a TrackingPipeline on a whole recording.
 struct TrackReport {
@@ -36,7 +40,9 @@ struct TrackReport {
   std::uint64_t rescues = 0, late_dropped = 0;
   std::uint64_t motor_refused = 0;  ///< motor samples that were not finite or not later than the one before
   bool live_cameras = false;        ///< a live source with cameras, noteSource(); else false
-  std::uint64_t lost = 0;           ///< samples that a live source lost or dropped, noteSource(); else 0
+  bool own_kinematics = false;      ///< the errors are differences from the robot's own kinematics
+  ReportStart since = ReportStart::kBeginning;
+  std::uint64_t lost = 0;  ///< samples that a live source lost or dropped, noteSource(); else 0
   std::array<MotorFault, 3> motor_failed{};    ///< failed encoders at the end
   std::array<double, 3> motor_failed_since{};  ///< time of detection or declaration [s]
   TransmissionEstimate transmission;           ///< estimate of the augmented filter at the end
@@ -51,7 +57,7 @@ struct TrackReport {
   double detectionRate(int side) const;
   double nisMean() const;  ///< mean NIS of accepted camera samples over its 3 degrees of freedom; NaN: none
   double rayNisMean() const;  ///< mean NIS of the ray updates over their 2 degrees of freedom; NaN: none
-  double neesMean() const;    ///< mean position NEES over its 3 degrees of freedom; NaN: no reference
+  double neesMean() const;    ///< mean position NEES over its 3 degrees of freedom; NaN: no true reference
 
  private:
   /// Computes the increase of a running total of the pipeline from snapshot to snapshot.
@@ -116,3 +122,14 @@ TrackReport trackAll(Source& source, TrackingPipeline& pipeline, base::Progress*
 }
 
 }  // namespace capstan::tracking
+
+template <>
+struct capstan::base::NamesOf<capstan::tracking::ReportStart> {
+  using R = capstan::tracking::ReportStart;
+  static constexpr std::array value = {std::pair{R::kBeginning, "the beginning"},
+                                       std::pair{R::kReset, "the reset"},
+                                       std::pair{R::kRegistration, "the registration"},
+                                       std::pair{R::kRobot, "the new robot"},
+                                       std::pair{R::kFilterOptions, "the new filter options"},
+                                       std::pair{R::kCameras, "the new cameras"}};
+};

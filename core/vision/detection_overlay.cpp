@@ -10,7 +10,7 @@
 namespace capstan::vision {
 namespace {
 
-constexpr int kInset = 160, kEnlarged = 8, kSubpixelBits = 4;
+constexpr int kInset = 160, kEnlarged = 8, kSubpixelBits = 4, kMargin = 12;
 const cv::Scalar kCircle(255, 255, 0), kCross(255, 255, 255), kText(0, 200, 255);
 
 // Position in drawing functions that take fractions of a pixel as integers.
@@ -40,13 +40,17 @@ cv::Mat enlarged(const cv::Mat& picture, const MarkerDetection& marker) {
   return inset;
 }
 
-cv::Mat drawn(const cv::Mat& picture, const MarkerDetection& marker) {
+// The name of the side in the lower corner, and the reason why there is no marker, over a dark outline.
+void drawWords(cv::Mat& picture, const std::string& words) {
+  const cv::Point at(kMargin, picture.rows - kMargin);
+  for (const auto& [ink, width] : {std::pair{cv::Scalar(0, 0, 0), 4}, std::pair{kText, 1}})
+    cv::putText(picture, words, at, cv::FONT_HERSHEY_SIMPLEX, 0.6, ink, width, cv::LINE_AA);
+}
+
+cv::Mat drawn(const cv::Mat& picture, const MarkerDetection& marker, const std::string& side) {
   cv::Mat result = picture.clone();
-  if (!marker.found()) {
-    cv::putText(result, std::string(base::nameOf(marker.fault)), {12, result.rows - 12},
-                cv::FONT_HERSHEY_SIMPLEX, 0.6, kText, 1, cv::LINE_AA);
-    return result;
-  }
+  drawWords(result, marker.found() ? side : side + ": " + std::string(base::nameOf(marker.fault)));
+  if (!marker.found()) return result;
   drawMarker(result, marker.centroid, marker.radius);
   if (result.cols < 2 * kInset || result.rows < 2 * kInset) return result;
   const bool left = marker.centroid.x() > 0.5 * result.cols;  // the corner away from the marker
@@ -60,7 +64,8 @@ cv::Mat drawn(const cv::Mat& picture, const MarkerDetection& marker) {
 
 cv::Mat detectionOverlay(const std::array<cv::Mat, 2>& pictures,
                          const std::array<MarkerDetection, 2>& markers) {
-  std::array<cv::Mat, 2> sides = {drawn(pictures[0], markers[0]), drawn(pictures[1], markers[1])};
+  std::array<cv::Mat, 2> sides = {drawn(pictures[0], markers[0], "left"),
+                                  drawn(pictures[1], markers[1], "right")};
   const int rows = std::max(sides[0].rows, sides[1].rows);
   for (cv::Mat& side : sides) cv::copyMakeBorder(side, side, 0, rows - side.rows, 0, 0, cv::BORDER_CONSTANT);
   cv::Mat both;

@@ -9,8 +9,8 @@
 namespace capstan::vision {
 
 /// Draws a detection for inspection: left and right picture (8-bit BGR) side by side, on each the fitted
-/// circle, a cross at the centroid, and in the upper corner the marker enlarged; or the reason why it was not
-/// found.
+/// circle, a cross at the centroid, and in the upper corner the marker enlarged; in the lower corner the name
+/// of the side, with the reason where the marker was not found.
 cv::Mat detectionOverlay(const std::array<cv::Mat, 2>& pictures,
                          const std::array<MarkerDetection, 2>& markers);
 

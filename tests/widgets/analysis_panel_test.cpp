@@ -18,6 +18,7 @@
 #include "core/simulation/simulation_request.h"
 #include "core/stats/rms.h"
 #include "tests/widgets/analysis_recordings.h"
+#include "tests/widgets/figures/layout_check.h"
 #include "tests/widgets/picture.h"
 #include "widgets/panels/analysis/analysis_panel.h"
 #include "widgets/panels/analysis/analysis_table.h"
@@ -81,6 +82,32 @@ TEST_F(Analysed, OneRecordingHasFiguresAndNumbers) {
   EXPECT_TRUE(cell(Measure::kRms, 0, Estimator::kUkf, AnalysisTable::kInterval).contains("…"));
   EXPECT_TRUE(panel.table().isColumnHidden(AnalysisTable::kB));
   test::grab(panel, "analysis_one");
+}
+
+TEST_F(Analysed, TheFirstAnalysisIsLaidOutAsAfterAResize) {
+  for (const bool two : {false, true}) {
+    AnalysisPanel first;
+    first.resize(1015, 960);  // in a window of 1920 × 1080
+    first.show();
+    first.choose(0, recording());
+    if (two) first.choose(1, recording(path("mine.yaml")));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return first.settled(); }, kPatience));
+    QApplication::processEvents();
+    PanelFigure* figures[] = {first.figures().findChild<HistogramFigure*>(),
+                              first.figures().findChild<BoxplotFigure*>()};
+    ASSERT_TRUE(figures[0] && figures[1]);
+    QImage before[2];
+    for (const int i : {0, 1}) {
+      EXPECT_EQ(test::layoutFaults(*figures[i]).join("; ").toStdString(), "") << two;
+      before[i] = test::grab(*figures[i], QString("analysis_first_%1_%2").arg(two).arg(i));
+    }
+    test::grab(first, QString("analysis_first_%1").arg(two));
+    first.resize(1016, 961);
+    QApplication::processEvents();
+    first.resize(1015, 960);
+    for (const int i : {0, 1})
+      EXPECT_EQ(before[i], test::grab(*figures[i], QString("analysis_resized_%1_%2").arg(two).arg(i))) << two;
+  }
 }
 
 TEST_F(Analysed, ARunAgainstItselfHasNoDifference) {

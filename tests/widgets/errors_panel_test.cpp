@@ -21,8 +21,8 @@ namespace {
 
 /// Constant errors, so that RMS is the error itself: kinematic 1 deg, camera 2 deg, UKF 0.5 deg on joints 1
 /// and 2, and 3 mm, 4 mm, 12.346 mm on joint 3.
-tracking::ErrorTable knownErrors() {
-  tracking::ErrorTable table;
+tracking::TrackReport knownErrors(bool own_kinematics = false) {
+  tracking::TrackReport report;
   const double degree = M_PI / 180.0;
   for (int i = 0; i < 10; ++i) {
     tracking::Snapshot snapshot;
@@ -34,14 +34,15 @@ tracking::ErrorTable knownErrors() {
     snapshot.reference_paired = true;
     snapshot.camera_updated = true;
     snapshot.gate = tracking::Gate::kOpen;
-    table.add(snapshot);
+    snapshot.own_kinematics = own_kinematics;
+    report.add(snapshot);
   }
-  return table;
+  return report;
 }
 
 TEST(ErrorsPanel, ShowsDegreesAndMillimetres) {
   ErrorsPanel panel;
-  panel.showErrors(knownErrors());
+  panel.showReport(knownErrors());
   EXPECT_EQ(panel.cell(0, 0).trimmed(), "1.00");
   EXPECT_EQ(panel.cell(1, 1).trimmed(), "2.00");
   EXPECT_EQ(panel.cell(1, 2).trimmed(), "0.50");
@@ -65,9 +66,28 @@ TEST(ErrorsPanel, SaysSoWithoutNumbers) {
   EXPECT_TRUE(said);
 }
 
+TEST(ErrorsPanel, DifferencesFromTheRobotsOwnKinematicsAreNoErrors) {
+  ErrorsPanel panel;
+  panel.showReport(knownErrors());
+  EXPECT_EQ(panel.note(), "10 samples");
+  panel.showReport(knownErrors(true));
+  EXPECT_TRUE(panel.note().contains("own kinematics, no truth")) << panel.note().toStdString();
+  test::grab(panel, "errors_panel_own_kinematics");
+}
+
+TEST(ErrorsPanel, SaysSinceWhenItCounts) {
+  ErrorsPanel panel;
+  panel.resize(260, 150);
+  auto report = knownErrors();
+  report.since = tracking::ReportStart::kRegistration;
+  panel.showReport(report);
+  EXPECT_EQ(panel.note(), "10 since the registration");
+  test::grab(panel, "errors_panel_since");
+}
+
 TEST(ErrorsPanel, GoesToTheClipboardAsATable) {
   ErrorsPanel panel;
-  panel.showErrors(knownErrors());
+  panel.showReport(knownErrors());
   ASSERT_EQ(panel.actions().size(), 1);
   panel.actions().front()->trigger();
   const QStringList lines = QApplication::clipboard()->text().split('\n', Qt::SkipEmptyParts);

@@ -9,6 +9,7 @@
 #include "tests/widgets/synthetic_motion.h"
 #include "widgets/figures/joint_figure.h"
 #include "widgets/figures/number_text.h"
+#include "widgets/figures/save_figure.h"
 
 namespace capstan::widgets {
 namespace {
@@ -50,9 +51,40 @@ class JointFigureTest : public testing::Test {
   }
   QPushButton* live() { return figure_.findChild<QPushButton*>(); }
 
-  JointHistory history_{32'768};
+  JointHistory history_{32'768}, errors_{1024};
   JointFigure figure_;
 };
+
+TEST_F(JointFigureTest, NamesTheRobotsOwnKinematicsWhereTheyAreTheReference) {
+  figure_.setErrors(errors_);
+  figure_.showErrors(true);
+  EXPECT_EQ(figure_.legend().value(Quantity::kTrue), "true");
+  EXPECT_TRUE(figure_.plot(0).header()->title().contains("shoulder error"));
+  EXPECT_TRUE(jointTable(history_, 0.0, 1.0).find("q1_true") != std::string::npos);
+  history_.clear();
+  for (int ms = 0; ms < 3000; ms += 2) {
+    tracking::Snapshot snapshot = syntheticSnapshot(ms * 1e-3);
+    snapshot.own_kinematics = true;
+    history_.append(snapshot);
+  }
+  figure_.refresh(true);
+  EXPECT_EQ(figure_.legend().value(Quantity::kTrue), "own kinematics");
+  EXPECT_TRUE(figure_.plot(0).header()->title().contains("shoulder difference"));
+  EXPECT_TRUE(jointTable(history_, 0.0, 1.0).find("q1_own_kinematics") != std::string::npos);
+  EXPECT_TRUE(jointTable(history_, 0.0, 1.0).find("q1_true") == std::string::npos);
+  figure_.showErrors(false);
+  test::grab(figure_, "joints_own_kinematics");
+  figure_.resize(560, 600);
+  test::grab(figure_, "joints_own_kinematics_narrow");
+}
+
+TEST_F(JointFigureTest, OnlyALiveSourceIsCalledLive) {
+  EXPECT_TRUE(live()->text().contains("newest"));
+  figure_.setLive(true);
+  EXPECT_TRUE(live()->text().contains("live"));
+  figure_.setLive(false);
+  EXPECT_FALSE(live()->text().contains("live"));
+}
 
 TEST_F(JointFigureTest, FollowsTheNewestSample) {
   EXPECT_TRUE(figure_.following());

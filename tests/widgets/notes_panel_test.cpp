@@ -75,6 +75,33 @@ TEST(NotesPanel, NamesAFileWhateverTheWidth) {
   test::grab(panel, "notes_panel_file");
 }
 
+TEST(NotesPanel, ALongNoteIsReadableWholeAtEveryWidth) {
+  NotesPanel panel;
+  const QString words =
+      "registration: The cameras were registered with the robot's former constants; with the new ones the "
+      "same "
+      "poses fit to 0.31 mm instead of 1.24 mm, so the registration was fitted again to the same poses.";
+  const QString path = "/home/laboratory/recordings/2026-11-21/raven_left_debridement_after_the_cable_change";
+  panel.addEvent(3.0, "note", words);
+  panel.addEvent(4.0, "fault", path + ": cannot be written");
+  panel.addEvent(5.0, "note", "short");
+  auto* list = panel.findChild<QTreeWidget*>();
+  panel.show();
+  for (const int width : {900, 260, 420}) {
+    panel.resize(width, 500);
+    QTest::qWait(50);
+    const int room = list->columnWidth(1), line = list->visualItemRect(list->topLevelItem(2)).height();
+    for (const int row : {0, 1}) {
+      const auto* item = list->topLevelItem(row);
+      const QFontMetrics metrics(item->font(1));
+      const int lines = metrics.horizontalAdvance(item->text(1)) / room + 1;
+      EXPECT_GE(list->visualItemRect(item).height(), lines * line) << width << " px, " << row;
+    }
+    test::grab(panel, QString("notes_panel_long_%1").arg(width));
+  }
+  EXPECT_TRUE(list->topLevelItem(0)->toolTip(1).startsWith("<qt>")) << "only rich text is wrapped";
+}
+
 TEST(NotesPanel, ForgetsTheOldestWhenFull) {
   NotesPanel panel;
   for (int i = 0; i < NotesPanel::kMostRows + 10; ++i) panel.addEvent(i, "note", QString::number(i));

@@ -3,7 +3,10 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QTableWidget>
+#include <QTemporaryDir>
 #include <QTest>
 
 #include "core/base/random.h"
@@ -35,6 +38,12 @@ class PosesPageTest : public testing::Test {
         page_.showSnapshot(s);
       }
     }
+  }
+  /// Whether a visible text contains `words`.
+  bool says(const QString& words) const {
+    for (const auto* label : page_.findChildren<QLabel*>())
+      if (label->isVisible() && label->text().contains(words)) return true;
+    return false;
   }
   QPushButton* button(const QString& text) {
     for (auto* each : page_.findChildren<QPushButton*>())
@@ -75,21 +84,103 @@ TEST_F(PosesPageTest, LeadsFromPosesOverACheckToAcceptance) {
   EXPECT_FALSE(page_.active());
 }
 
-TEST_F(PosesPageTest, WarnsOfPosesByAWrongRobotFile) {
-  const auto warns = [&] {
-    for (const auto* label : page_.findChildren<QLabel*>())
-      if (label->isVisible() && label->text().contains("q1 travel +7.0 %")) return true;
-    return false;
-  };
+TEST_F(PosesPageTest, WarnsOfPosesByAWrongRobotFileBesideItsOtherTexts) {
   button("Collect poses")->click();
   visit(6);
-  EXPECT_FALSE(warns());
+  EXPECT_FALSE(says("q1 travel +7.0 %"));
   travel_error_ = 0.07;
   visit(1);
-  EXPECT_TRUE(warns());
+  EXPECT_TRUE(says("q1 travel +7.0 %"));
+  EXPECT_TRUE(says("7 pairs leave a wrong one hard to recognise"));
   test::grab(page_, "poses_wrong_robot");
   page_.setRobot(robot_);
-  EXPECT_FALSE(warns()) << "the poses are those of another robot file now";
+  EXPECT_FALSE(says("q1 travel +7.0 %")) << "the poses are those of another robot file now";
+  button("Clear")->click();
+  button("Collect poses")->click();
+  visit(2);
+  EXPECT_TRUE(says("q1 travel +7.0 %"));
+  EXPECT_TRUE(says("Add poses that span the workspace"));
+  test::grab(page_, "poses_wrong_robot_too_few");
+}
+
+TEST_F(PosesPageTest, ButtonsStayWhereTheyAreWhateverTheTextsSay) {
+  QScrollArea dock;  // as in the window: its content has its preferred height where there is room
+  dock.setWidgetResizable(true);
+  dock.setWidget(&page_);
+  dock.show();
+  for (const QSize size : {QSize(680, 620), QSize(560, 400)}) {
+    dock.resize(size);
+    page_.begin(robot_, {});
+    QApplication::processEvents();
+    const auto places = [&] {
+      QApplication::processEvents();
+      std::vector<QRect> all;
+      for (auto* each : page_.findChildren<QPushButton*>())
+        all.emplace_back(each->mapTo(&page_, QPoint()), each->size());
+      return all;
+    };
+    const auto before = places();
+    ASSERT_EQ(before.size(), 6u);
+    button("Collect poses")->click();
+    EXPECT_EQ(places(), before);
+    visit(3);
+    EXPECT_EQ(places(), before) << "too few poses";
+    travel_error_ = 0.07;
+    visit(12);
+    EXPECT_EQ(places(), before) << "a fit, and a wrong robot file";
+    button("Check at three more poses")->click();
+    EXPECT_EQ(places(), before);
+    visit(3);
+    EXPECT_EQ(places(), before) << "a check";
+    test::grab(page_, QString("poses_full_%1").arg(size.width()));
+    EXPECT_EQ(dock.verticalScrollBar()->maximum(), 0) << size.height();
+    for (auto* each : page_.findChildren<QPushButton*>())
+      EXPECT_TRUE(page_.rect().contains(QRect(each->mapTo(&page_, QPoint()), each->size())));
+    button("Clear")->click();
+    travel_error_ = 0.0;
+  }
+  dock.takeWidget();
+}
+
+TEST_F(PosesPageTest, KeepsPosesThatAreNeitherAcceptedNorSaved) {
+  const QTemporaryDir folder;
+  button("Collect poses")->click();
+  EXPECT_FALSE(page_.unsaved());
+  visit(6);
+  EXPECT_TRUE(page_.unsaved());
+  page_.begin(robot_, {});
+  EXPECT_EQ(page_.collector()->poses().size(), 6u) << "the same session begins again";
+  EXPECT_FALSE(page_.active());
+  button("Collect more")->click();
+  visit(2);
+  EXPECT_EQ(page_.collector()->poses().size(), 8u);
+
+  page_.begin(robot_, {}, "in the session a.capstan");
+  EXPECT_EQ(page_.collector()->poses().size(), 8u);
+  EXPECT_TRUE(page_.elsewhere());
+  EXPECT_TRUE(says("in the session a.capstan"));
+  for (const char* text : {"Collect more", "Check at three more poses", "Accept"})
+    EXPECT_FALSE(button(text)->isEnabled()) << text;
+  test::grab(page_, "poses_elsewhere");
+  page_.begin(robot_, {});
+  EXPECT_FALSE(page_.elsewhere()) << "back in the session of the poses";
+  EXPECT_TRUE(button("Accept")->isEnabled());
+  EXPECT_FALSE(page_.saveTo(folder.filePath("no/such/folder/poses.csv")));
+  EXPECT_TRUE(page_.unsaved());
+  EXPECT_TRUE(says("no/such/folder"));
+  EXPECT_TRUE(page_.saveTo(folder.filePath("poses.csv")));
+  EXPECT_FALSE(page_.unsaved());
+  EXPECT_FALSE(says("no/such/folder"));
+  page_.begin(robot_, {}, "in the session a.capstan");
+  EXPECT_TRUE(page_.collector()->poses().empty()) << "they are in a file";
+}
+
+TEST_F(PosesPageTest, AcceptedPosesAreNotUnsaved) {
+  button("Collect poses")->click();
+  visit(8);
+  EXPECT_TRUE(page_.unsaved());
+  button("Accept")->click();
+  EXPECT_FALSE(page_.unsaved());
 }
 
 TEST_F(PosesPageTest, RejectionNeedsAReason) {

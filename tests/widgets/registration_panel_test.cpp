@@ -1,6 +1,9 @@
 #include <gtest/gtest.h>
 
 #include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QTabWidget>
 #include <QTest>
 #include <opencv2/imgproc.hpp>
 
@@ -109,6 +112,47 @@ TEST_F(Panel, LeadsFromTheStopToAnAcceptedRegistration) {
   ASSERT_TRUE(taken);
   EXPECT_LT((taken->translation() - feed.truth.translation()).norm(), 6e-4);
   EXPECT_FALSE(panel.active());
+}
+
+TEST_F(Panel, EveryPageHasItsButtonsInAWindowOf1280By800) {
+  QScrollArea dock;  // as in the window
+  dock.setWidgetResizable(true);
+  dock.setFrameShape(QFrame::NoFrame);
+  auto* inside = new RegistrationPanel;
+  dock.setWidget(inside);
+  dock.resize(622, 676);
+  tracking::SourceInfo source;
+  source.robot = feed.robot;
+  source.rig = test::stereoRig();
+  source.live = true;
+  dock.show();
+  inside->begin(source, test::cameraBefore(feed.arm.tip(feed.stop)));
+  auto* tabs = inside->findChild<QTabWidget*>();
+  const auto fits = [&](const char* page) {
+    QApplication::processEvents();
+    EXPECT_EQ(dock.verticalScrollBar()->maximum(), 0) << page;
+    test::grab(dock, QString("registration_1280_%1").arg(page));
+  };
+  fits("stop");
+  tabs->setCurrentIndex(1);
+  fits("poses");
+  tabs->setCurrentIndex(2);
+  fits("history");
+  tabs->setCurrentIndex(0);
+  const auto run = [&](double seconds) {
+    for (int i = 0; i < 1000 * seconds; ++i) inside->showSnapshot(feed.next());
+  };
+  run(1.0);
+  for (auto* each : inside->findChildren<QPushButton*>())
+    if (each->text() == "Collect frames") each->click();
+  feed.outlier_every = 12;
+  run(2.5);
+  fits("frames");
+  run(3.0);
+  ASSERT_EQ(inside->guide()->step(), registration::RegistrationStep::kReview);
+  const auto images = frames();
+  inside->showFrames(images[0], images[1], seen());
+  fits("result");
 }
 
 TEST_F(Panel, RefusalIsShownWithReasonAndAdvice) {

@@ -1,8 +1,13 @@
 // The history of registrations in the window: what is decided there is in the file that the command line
 // reads.
 #include <QAction>
+#include <QDir>
 #include <QFile>
+#include <QMessageBox>
 #include <QPushButton>
+#include <QTabWidget>
+#include <QTimer>
+#include <QVariant>
 #include <future>
 
 #include "core/vision/registration_file.h"
@@ -10,9 +15,11 @@
 #include "tests/widgets/shell_fixture.h"
 #include "widgets/panels/notes/notes_panel.h"
 #include "widgets/panels/registration/history_page.h"
+#include "widgets/panels/registration/poses_page.h"
 #include "widgets/panels/registration/registration_panel.h"
 #include "widgets/panels/registration/result_page.h"
 #include "widgets/shell/message_bar.h"
+#include "widgets/shell/unsaved_poses.h"
 
 namespace capstan::widgets {
 namespace {
@@ -28,6 +35,16 @@ class RegistrationWindow : public Shell {
     ASSERT_TRUE(opened(*window_));
     window_->action("register")->trigger();
     panel_ = window_->findChild<RegistrationPanel*>();
+  }
+  /// Answers the next question of the window.
+  void answer(QMessageBox::StandardButton button) {
+    QTimer::singleShot(0, [this, button] {
+      auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+      ASSERT_TRUE(question);
+      asked_ = question->text();
+      test::grab(*question, "unsaved_poses_question");
+      question->button(button)->click();
+    });
   }
   void press(const QString& text) {
     for (auto* button : panel_->findChildren<QPushButton*>())
@@ -62,6 +79,7 @@ class RegistrationWindow : public Shell {
 
   std::unique_ptr<MainWindow> window_;
   RegistrationPanel* panel_ = nullptr;
+  QString asked_;
 };
 
 TEST_F(RegistrationWindow, KeepsItsHistoryWhichTheCommandLineReads) {
@@ -107,6 +125,62 @@ TEST_F(RegistrationWindow, KeepsItsHistoryWhichTheCommandLineReads) {
   EXPECT_NE(said.find(difference), std::string::npos) << said << "\n" << difference;
   commandLine({"registrations", file("registrations.yaml"), "--export", "4", "--out", file("again.yaml")});
   EXPECT_EQ(vision::readRegistration(file("again.yaml").toStdString()).matrix(), found.matrix());
+}
+
+TEST_F(RegistrationWindow, LosesNoPosesWithoutAWord) {
+  ASSERT_NO_FATAL_FAILURE(begin());
+  PosesPage& page = panel_->posesPage();
+  panel_->findChild<QTabWidget*>()->setCurrentWidget(&page);
+  const auto poses = [&] { return page.collector()->poses().size(); };
+  press("Collect poses");
+  ASSERT_TRUE(waitFor([&] { return poses() > 0; })) << "one pose of an arm at rest";
+  window_->action("register")->trigger();  // closes the panel
+  window_->action("register")->trigger();
+  EXPECT_EQ(poses(), 1u);
+  press("Cancel");
+  window_->action("register")->trigger();
+  EXPECT_EQ(poses(), 1u);
+
+  const SourceChoice first = window_->lastSource();
+  SourceChoice other = first;
+  other.simulation.seed = 7;
+  const auto open = [&](const SourceChoice& choice) {
+    bool began = false;
+    const auto heard = QObject::connect(&window_->link(), &SessionLink::opened, [&began] { began = true; });
+    window_->open(choice);
+    EXPECT_TRUE(waitFor([&] { return began; }));
+    QObject::disconnect(heard);
+  };
+  open(first);
+  EXPECT_EQ(poses(), 1u) << "the same session again";
+  EXPECT_FALSE(page.elsewhere());
+  open(other);
+  EXPECT_EQ(poses(), 1u);
+  EXPECT_TRUE(page.elsewhere());
+  test::grab(*panel_, "poses_of_the_session_before");
+
+  answer(QMessageBox::Cancel);
+  EXPECT_FALSE(window_->close());
+  EXPECT_TRUE(asked_.contains("One pose of a registration is")) << asked_.toStdString();
+  EXPECT_TRUE(window_->isVisible());
+  press("Clear");
+  EXPECT_FALSE(page.elsewhere());
+  EXPECT_TRUE(window_->close()) << "nothing to lose";
+}
+
+TEST_F(RegistrationWindow, AWindowThatNobodyAttendsWritesItsPosesWhenItCloses) {
+  ASSERT_NO_FATAL_FAILURE(begin());
+  panel_->findChild<QTabWidget*>()->setCurrentWidget(&panel_->posesPage());
+  press("Collect poses");
+  ASSERT_TRUE(waitFor([&] { return panel_->posesPage().unsaved(); }));
+  qApp->setProperty(kUnattended, true);
+  EXPECT_TRUE(window_->close());
+  qApp->setProperty(kUnattended, false);
+  const QStringList files = QDir(window_->bar().recordingFolder()).entryList({"unsaved-poses_*.csv"});
+  ASSERT_EQ(files.size(), 1);
+  QFile table(QDir(window_->bar().recordingFolder()).filePath(files[0]));
+  ASSERT_TRUE(table.open(QIODevice::ReadOnly));
+  EXPECT_EQ(table.readAll().trimmed().count('\n'), 1) << "a header and a pose";
 }
 
 TEST_F(RegistrationWindow, SaysWhenTheHistoryCannotBeKept) {

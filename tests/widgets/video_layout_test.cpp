@@ -28,6 +28,17 @@ TEST(RoiLayout, InsetMovesIntoACornerWhenThereIsNoRoomBeside) {
   EXPECT_TRUE(narrow.main.contains(narrow.inset));
 }
 
+TEST(RoiLayout, InsetTakesAFreeCorner) {
+  const QRectF main(10, 20, 200, 150);
+  const QSizeF size(70, 50);
+  const QRectF top_right(140, 20, 70, 50), bottom_right(140, 120, 70, 50), bottom_left(10, 120, 70, 50);
+  EXPECT_EQ(freeCorner(main, size, {}), top_right);
+  EXPECT_EQ(freeCorner(main, size, {QRectF(100, 80, 30, 20)}), top_right);
+  EXPECT_EQ(freeCorner(main, size, {QRectF(180, 30, 30, 12)}), bottom_right);
+  EXPECT_EQ(freeCorner(main, size, {QRectF(180, 30, 30, 12), QRectF(150, 150, 10, 5)}), bottom_left);
+  EXPECT_EQ(freeCorner(main, size, {main}), top_right) << "no corner is free";
+}
+
 TEST(ImageMap, PixelCentresLieHalfAPixelInside) {
   const ImageMap map{QRectF(10, 20, 300, 300), {200, 100, 100, 100}};
   EXPECT_DOUBLE_EQ(map.scale(), 3.0);

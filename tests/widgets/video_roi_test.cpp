@@ -185,6 +185,19 @@ TEST(RoiView, SwapsThePicturesOnDoubleClick) {
   EXPECT_GT(test::count(image, QRect(middle - QPoint(4, 4), QSize(9, 9)), QColor("#009E73"), 24).pixels, 4);
 }
 
+TEST(RoiView, InsetCoversNeitherTheMarkerNorALabel) {
+  RoiView view("LEFT");
+  view.resize(300, 260);
+  view.setWholeFrameLarge(true);
+  view.show();
+  const Observation seen = observationOf({560, 60}, 11.0, {500, 10, 100, 100});
+  view.showFrame(seen.frame, seen.detection);
+  view.setLines({{{{500, 20}, {560, 60}}, QColor("#009E73"), false, 11.0, "new"}});
+  test::grab(view, "video_inset_elsewhere");
+  EXPECT_FALSE(view.insetMap().target.contains(view.mainMap().toWidget({560.0, 60.0})));
+  EXPECT_TRUE(view.mainMap().target.contains(view.insetMap().target));
+}
+
 TEST(RoiView, LightThemeAndSmallSizes) {
   StereoView stereo;
   stereo.setTheme(Theme::light());

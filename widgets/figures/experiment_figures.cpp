@@ -111,7 +111,7 @@ std::unique_ptr<Figure> trajectory(const Results& results, const TrialMotion& tr
                                    const TrialResult* result, double begin, double end) {
   TrajectoryData data{.title = nameOf(results, &trial) + QObject::tr(": joint positions"),
                       .note = noteOf(results, trial)};
-  if (result && result->own_kinematics) data.error = QObject::tr("difference");
+  data.own_kinematics = result && result->own_kinematics;
   if (result && !result->errors.empty()) {
     data.rms = rmsOf(*result, begin, end);
     data.note += errorNote(results, *result, false);

@@ -12,9 +12,9 @@ namespace {
 
 constexpr double kRoomyColumn = 120.0;  ///< greatest column width; then the title gets the room [px]
 
-std::array<double, HeaderLayout::kColumns> leastWidths(const HeaderPoints& points) {
+std::array<double, HeaderLayout::kColumns> leastWidths(const HeaderPoints& points, const QString& reference) {
   const QFontMetricsF names(textFont(points.legend)), numbers(numberFont(points.number));
-  const QString legend[] = {nameOf(Quantity::kTrue), nameOf(Quantity::kKinematic), nameOf(Quantity::kCamera),
+  const QString legend[] = {reference, nameOf(Quantity::kKinematic), nameOf(Quantity::kCamera),
                             nameOf(Quantity::kUkf), kSigmaName};
   std::array<double, HeaderLayout::kColumns> widths{};
   for (std::size_t i = 0; i < widths.size(); ++i) {
@@ -28,8 +28,9 @@ std::array<double, HeaderLayout::kColumns> leastWidths(const HeaderPoints& point
 
 }  // namespace
 
-HeaderLayout layOutHeader(double left, double right, double widest_title, const HeaderPoints& points) {
-  auto widths = leastWidths(points);
+HeaderLayout layOutHeader(double left, double right, double widest_title, const HeaderPoints& points,
+                          const QString& reference) {
+  auto widths = leastWidths(points, reference);
   double columns = 0.0;
   for (const double width : widths) columns += width;
   const double sigma = widths[HeaderLayout::kSigma], room = right - left;

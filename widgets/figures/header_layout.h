@@ -25,7 +25,8 @@ struct HeaderLayout {
 
 /// Computes the layout. Each column is as wide as its widest possible text; the last one ends at `right`. The
 /// first of these that fits is used: one line; one line without ±2σ; two lines; two lines without ±2σ.
-/// `widest_title`: width of the widest title of all rows [px].
-HeaderLayout layOutHeader(double left, double right, double widest_title, const HeaderPoints& points);
+/// `widest_title`: width of the widest title of all rows [px]. `reference`: name of the first column.
+HeaderLayout layOutHeader(double left, double right, double widest_title, const HeaderPoints& points,
+                          const QString& reference);
 
 }  // namespace capstan::widgets

@@ -27,7 +27,8 @@ JointFigure::JointFigure(const JointHistory& history, Medium medium, QWidget* pa
   setNoAntialiasingOnDrag(false);
   setPlottingHints(QCP::phFastPolylines | QCP::phCacheLabels);
   setAccessibleName(tr("Joint positions over time"));
-  live_ = new QPushButton(tr("▸▸ live  End"), this);
+  live_ = new QPushButton(this);
+  setLive(false);
   live_->setToolTip(tr("Follow the newest sample again (End)"));
   live_->setFocusPolicy(Qt::NoFocus);
   live_->setCursor(Qt::PointingHandCursor);
@@ -145,8 +146,10 @@ void JointFigure::setRemarks(const std::array<QString, 3>& remarks) {
 void JointFigure::setTitles() {
   drawn_ = View();
   for (std::size_t i = 0; i < plots_.size(); ++i)
-    plots_[i]->setTitle(errorsShown() ? tr("%1 error").arg(names_[i]) : names_[i], tracking::kJointUnits[i],
-                        unknown_ ? tr("no reference") : remarks_[i]);
+    plots_[i]->setTitle(!errorsShown()    ? names_[i]
+                        : own_kinematics_ ? tr("%1 difference").arg(names_[i])
+                                          : tr("%1 error").arg(names_[i]),
+                        tracking::kJointUnits[i], unknown_ ? tr("no reference") : remarks_[i]);
   fitHeaders();
 }
 
@@ -160,8 +163,9 @@ void JointFigure::fitHeaders() {
   double title = legend_->titleWidth(QStringLiteral("t 00000.000 s"), points);
   for (auto& plot : plots_)
     title = std::max(title, plot->header()->titleWidth(plot->header()->title(), points));
-  const HeaderLayout layout =
-      layOutHeader(FigureHeader::kLeftMargin, w - FigureHeader::kRightMargin, std::ceil(title) + 1.0, points);
+  const HeaderLayout layout = layOutHeader(FigureHeader::kLeftMargin, w - FigureHeader::kRightMargin,
+                                           std::ceil(title) + 1.0, points, values_.referenceName());
+  legend_->setValue(Quantity::kTrue, values_.referenceName());
   if (note_) note_->setLayout(layout, points);
   for (auto& plot : plots_)
     if (paper) plot->setTheme(*theme_, true, std::clamp(w / kFullWidth, 0.45, 1.0));
@@ -220,7 +224,7 @@ void JointFigure::refresh(bool at_once) {
     plots_[i]->fitValues();
     if (statistics_on_) showStatisticsOf(static_cast<int>(i), time);
   }
-  noticeUnknown();
+  noticeReference();
   showReadout(cursor_.value_or(following_ ? history_->end() : std::min(end_, history_->end())));
   if (!(time == drawn_.time)) Q_EMIT timeRangeShown(time.lower, time.upper);
   drawn_ = viewOf(time);
@@ -230,8 +234,8 @@ void JointFigure::refresh(bool at_once) {
 
 void JointFigure::showStatisticsOf(int joint, const QCPRange& time) {
   const auto& [mean, rms] = statistics_[static_cast<std::size_t>(joint)];
-  mean->setTitle(tr("mean error in view"));
-  rms->setTitle(tr("RMS error in view"));
+  mean->setTitle(own_kinematics_ ? tr("mean difference in view") : tr("mean error in view"));
+  rms->setTitle(own_kinematics_ ? tr("RMS difference in view") : tr("RMS error in view"));
   for (const Quantity quantity : {Quantity::kKinematic, Quantity::kCamera, Quantity::kUkf}) {
     const RangeStatistics of = statisticsOf(*errors_, joint, quantity, time.lower, time.upper);
     mean->setValue(quantity, errorText(of.mean));
@@ -267,6 +271,8 @@ void JointFigure::placeLiveButton() {
   live_->move(area.right() - live_->width() - 6, area.top() + 6);
 }
 
+void JointFigure::setLive(bool live) { live_->setText(live ? tr("▸▸ live  End") : tr("▸▸ newest  End")); }
+
 void JointFigure::setFollowing(bool on) {
   if (on)
     for (auto& plot : plots_) plot->setFitting(true);
@@ -299,10 +305,11 @@ void JointFigure::setCursor(std::optional<double> t) {
 }
 
 /// Says in the titles whether the errors shown are unknown.
-void JointFigure::noticeUnknown() {
+void JointFigure::noticeReference() {
   const bool unknown = errorsShown() && !plots_[0]->drawn();
-  if (unknown == unknown_) return;
+  if (unknown == unknown_ && values_.ownKinematics() == own_kinematics_) return;
   unknown_ = unknown;
+  own_kinematics_ = values_.ownKinematics();
   setTitles();
 }
 

@@ -21,10 +21,10 @@ namespace capstan::widgets {
 
 /// The three joint plots over one time axis, with one legend and the values under the cursor (else the
 /// newest). Wheel: zoom in time; wheel on a value axis: zoom that axis; drag: move in time; Shift and drag:
-/// zoom to the box; double click, End or the button at the top right: back to live. Click on a name in the
-/// legend: hide or show that curve. D: errors in place of positions; S: statistics of the visible range; M:
-/// mark at the cursor, Esc: no mark. The same figure is drawn on screen and into PNG, PDF and SVG files
-/// (save_figure.h).
+/// zoom to the box; double click, End or the button at the top right: back to the newest sample. Click on a
+/// name in the legend: hide or show that curve. D: errors in place of positions; S: statistics of the visible
+/// range; M: mark at the cursor, Esc: no mark. The same figure is drawn on screen and into PNG, PDF and SVG
+/// files (save_figure.h).
 class JointFigure : public QCustomPlot {
   Q_OBJECT
  public:
@@ -68,6 +68,10 @@ class JointFigure : public QCustomPlot {
   /// Draws the present content of the history. `at_once`: inside this call; otherwise when the event loop is
   /// next idle, and only if anything in view has changed.
   void refresh(bool at_once = false);
+
+  /// Sets whether the newest sample is of now, so that the button goes back to live; else it goes back to the
+  /// newest sample, as of a recording that is tracked.
+  void setLive(bool live);
 
   /// Whether the right edge stays at the newest sample. Otherwise the view stands still while data arrive.
   bool following() const { return following_; }
@@ -137,7 +141,7 @@ class JointFigure : public QCustomPlot {
   void showSecond();
   void setTitles();
   void drawAnew();
-  void noticeUnknown();
+  void noticeReference();
   void fitHeaders();
   QString noteText(const QCPRange& time) const;
   void placeLiveButton();
@@ -163,7 +167,8 @@ class JointFigure : public QCustomPlot {
   /// Mean and RMS of the errors in view, by joint.
   std::array<std::array<FigureHeader*, 2>, 3> statistics_{};
   bool statistics_on_ = false;
-  bool unknown_ = false;  ///< errors are shown, and there is no reference
+  bool unknown_ = false;         ///< errors are shown, and there is no reference
+  bool own_kinematics_ = false;  ///< the reference is the robot's own kinematics
   std::vector<NoteFlag> note_flags_;
   std::array<NoteFlags*, 3> flags_{};
   bool following_ = true;

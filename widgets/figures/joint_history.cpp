@@ -1,6 +1,9 @@
 #include "widgets/figures/joint_history.h"
 
+#include <QObject>
 #include <cmath>
+
+#include "widgets/figures/theme.h"
 
 namespace capstan::widgets {
 
@@ -64,7 +67,11 @@ void JointHistory::clear() {
   rows_.clear();
   camera_.clear();
   occluded_.clear();
-  occluded_now_ = false;
+  occluded_now_ = own_kinematics_ = false;
+}
+
+QString JointHistory::referenceName() const {
+  return own_kinematics_ ? QObject::tr("own kinematics") : nameOf(Quantity::kTrue);
 }
 
 void JointHistory::append(const Snapshot& snapshot) {
@@ -77,6 +84,7 @@ void JointHistory::append(const Snapshot& snapshot) {
 void JointHistory::appendRow(const Snapshot& snapshot) {
   if (!empty() && snapshot.t < end()) return;
   const Row row = rowOf(snapshot);
+  own_kinematics_ = snapshot.own_kinematics;
   ++revision_;
   if (!empty() && snapshot.t == end())
     rows_.replaceNewest(row);

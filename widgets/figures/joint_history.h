@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <QString>
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -57,6 +58,11 @@ class JointHistory {
   void appendCamera(const tracking::Snapshot& snapshot);
   void clear();
 
+  /// Whether JointValues::truth is the robot's own kinematics, which is no truth.
+  bool ownKinematics() const { return own_kinematics_; }
+  /// What legends and tables call JointValues::truth.
+  QString referenceName() const;
+
   bool empty() const { return rows_.empty(); }
   double begin() const { return rows_.begin(); }
   double end() const { return rows_.end(); }
@@ -109,7 +115,7 @@ class JointHistory {
   MinMaxPyramid<Row> rows_;
   MinMaxPyramid<CameraPoint> camera_;
   Ring<Span> occluded_;
-  bool occluded_now_ = false;
+  bool occluded_now_ = false, own_kinematics_ = false;
   std::uint64_t revision_ = 0;
 };
 

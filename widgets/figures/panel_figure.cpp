@@ -11,6 +11,7 @@ namespace {
 
 constexpr int kMargin = 6;         ///< margin around the figure [px]
 constexpr int kPanelSpacing = 10;  ///< between panels [px]
+constexpr int kMostPasses = 4;     ///< of choosing numbers and widths until they agree
 
 }  // namespace
 
@@ -142,8 +143,19 @@ void PanelFigure::fitWords(Words words) {
     panel.header->fit(scale_.text, scale_.tick, wide);
   }
   fitLabels(words >= Words::kOneLabel);
-  laidOut();
-  fitTicks();
+  // What laidOut() chooses depends on the width of the axes, which the numbers of fitTicks() change.
+  std::vector<QRect> before;
+  for (int pass = 0; pass < kMostPasses && before != axesRects(); ++pass) {
+    before = axesRects();
+    laidOut();
+    fitTicks();
+  }
+}
+
+std::vector<QRect> PanelFigure::axesRects() const {
+  std::vector<QRect> rects;
+  for (const std::size_t i : shown_) rects.push_back(panels_[i].axes->rect());
+  return rects;
 }
 
 void PanelFigure::chooseHeaders() {

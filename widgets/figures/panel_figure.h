@@ -90,6 +90,7 @@ class PanelFigure : public QCustomPlot, public Figure {
   enum class Words { kAll, kNoSecondRank, kNoNote, kOneLabel };
 
   void fitWords(Words words);
+  std::vector<QRect> axesRects() const;
   void arrange(int columns);
   void styleAxes(const Panel& panel) const;
   void chooseHeaders();

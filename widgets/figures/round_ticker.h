@@ -51,8 +51,10 @@ class RoundTicker : public QCPAxisTicker {
 
  protected:
   double getTickStep(const QCPRange& range) override {
-    return step_ = fixed_step_ > 0.0 ? fixed_step_ : stepFor(range, tickCount());
+    return useStep(fixed_step_ > 0.0 ? fixed_step_ : stepFor(range, tickCount()));
   }
+  /// Sets the step of the labels and returns it.
+  double useStep(double step) { return step_ = step; }
   int getSubTickCount(double) override { return 0; }
   QString getTickLabel(double tick, const QLocale& locale, QChar, int) override {
     return withMinus(locale.toString(std::abs(tick) < 1e-9 * step_ ? 0.0 : tick, 'f', decimals()));
@@ -69,9 +71,16 @@ class RoundTicker : public QCPAxisTicker {
 };
 
 /// RoundTicker with additional ticks at the ends of the axis (rounded inwards to the last decimal). They
-/// replace ticks that are closer to an end than 70 % of a step. For an axis that ends with its data.
+/// replace ticks that are closer to an end than 70 % of a step. For an axis that ends with its data. Where a
+/// step leads from one end to the other, as 5 from 15 to 35, all ticks are equally far apart.
 class EndTicker : public RoundTicker {
  protected:
+  double getTickStep(const QCPRange& range) override {
+    const double usual = stepFor(range, tickCount());
+    for (const double share : {1.0, 2.0, 2.5, 4.0, 5.0})  // of a usual step of 1, 2 or 5: again round
+      if (const double step = share * usual; isRound(step) && leads(range, step)) return useStep(step);
+    return useStep(usual);
+  }
   QVector<double> createTickVector(double step, const QCPRange& range) override {
     constexpr double kClose = 0.7;  // of a step
     const double unit = std::pow(10.0, -decimals());
@@ -86,6 +95,20 @@ class EndTicker : public RoundTicker {
     if (last > first) ticks.append(last);
     return ticks;
   }
+
+ private:
+  /// Whether both ends are multiples of the step, with a tick between them.
+  static bool leads(const QCPRange& range, double step) {
+    const auto is = [&](double value) { return std::abs(value / step - std::round(value / step)) < 1e-6; };
+    return is(range.lower) && is(range.upper) && range.size() > 1.5 * step;
+  }
+  /// 1, 2 or 5 times a power of ten.
+  static bool isRound(double step) {
+    const double share = step / std::pow(10.0, std::floor(std::log10(step) + 1e-9));
+    return std::any_of(kRound.begin(), kRound.end(),
+                       [&](double round) { return std::abs(share - round) < 1e-6; });
+  }
+  static constexpr std::array kRound = {1.0, 2.0, 5.0};
 };
 
 }  // namespace capstan::widgets

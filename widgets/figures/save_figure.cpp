@@ -37,10 +37,11 @@ bool saveSvg(QCustomPlot& plot, const QString& file, QSize size) {
 /// A number as CSV text with nine digits (those of a float); empty for NaN.
 std::string cell(float value) { return std::isnan(value) ? std::string(",") : fmt::format(",{:.9g}", value); }
 
-std::string tableHeader(bool blocks) {
+/// `reference`: name of the columns of the reference.
+std::string tableHeader(bool blocks, const char* reference) {
   std::string line = "t [s]";
   for (int joint = 0; joint < JointHistory::kJoints; ++joint)
-    for (const char* what : {"true", "kinematic", "camera", "ukf", "ukf_sigma"})
+    for (const char* what : {reference, "kinematic", "camera", "ukf", "ukf_sigma"})
       line += fmt::format(",q{}_{} [{}]", joint + 1, what,
                           tracking::kJointUnits[static_cast<std::size_t>(joint)]);
   return line + (blocks ? ",block [s],of block\n" : "\n");
@@ -69,8 +70,8 @@ class TableLines {
     lines_.emplace(t, Line{std::move(low), fmt::format(",{:.6f},lowest", step)});
     lines_.emplace(t, Line{std::move(high), fmt::format(",{:.6f},highest", step)});
   }
-  std::string text() const {
-    std::string text = tableHeader(blocks_);
+  std::string text(const char* reference) const {
+    std::string text = tableHeader(blocks_, reference);
     for (const auto& [t, line] : lines_)
       text += line.cells + (blocks_ && line.block.empty() ? ",," : line.block) + "\n";
     return text;
@@ -193,7 +194,7 @@ std::string jointTable(const JointHistory& history, double begin, double end) {
   TableLines lines;
   addRows(history, begin, end, lines);
   addCamera(history, begin, end, lines);
-  return lines.text();
+  return lines.text(history.ownKinematics() ? "own_kinematics" : "true");
 }
 
 void saveJointTable(const JointHistory& history, double begin, double end,

@@ -19,8 +19,8 @@ ExportExtras sessionExtras(const analysis::SessionRecord& record, const JointHis
          const double begin = history.begin(), end = history.end();
          IndexFigure figure{
              base,
-             fmt::format("Joint plots of {}, {:.1f} to {:.1f} s: true, kinematic, camera, UKF ± 2 σ", title,
-                         begin, end),
+             fmt::format("Joint plots of {}, {:.1f} to {:.1f} s: {}, kinematic, camera, UKF ± 2 σ", title,
+                         begin, end, history.referenceName().toStdString()),
              {}};
          for (const auto& file :
               exportJointFigure(history, names, begin, end, folder / base, pages.size.dots()))

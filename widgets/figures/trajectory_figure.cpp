@@ -100,7 +100,9 @@ std::unique_ptr<Figure> TrajectoryFigure::copy() const { return std::make_unique
 
 void TrajectoryFigure::fillHistories() {
   for (const TrajectorySample& sample : data_.samples) {
-    history_.append(snapshotOf(sample));
+    tracking::Snapshot snapshot = snapshotOf(sample);
+    snapshot.own_kinematics = data_.own_kinematics;
+    history_.append(snapshot);
     errors_.append(errorsOf(sample));
   }
 }
@@ -124,10 +126,13 @@ void TrajectoryFigure::addJoint(int joint) {
        {words(joint), false, true}},
       QStringLiteral("q%1").arg(joint + 1));
   if (!knowsTruth(data_.samples, joint)) return;
-  add(error_plots_[i], errors_, {}, data_.error).alone = {
-      {QStringLiteral("%1 q%2, %3 [%4]").arg(data_.joint_names[i]).arg(joint + 1).arg(data_.error, unit),
+  add(error_plots_[i], errors_, {}, errorWord()).alone = {
+      {QStringLiteral("%1 q%2, %3 [%4]").arg(data_.joint_names[i]).arg(joint + 1).arg(errorWord(), unit),
        true}};
 }
+
+/// Name of a difference from the reference.
+QString TrajectoryFigure::errorWord() const { return data_.own_kinematics ? tr("difference") : tr("error"); }
 
 QString TrajectoryFigure::words(int joint) const {
   QStringList parts;
@@ -136,7 +141,7 @@ QString TrajectoryFigure::words(int joint) const {
   if (std::isfinite(rms_.ukf[joint]))
     parts << tr("UKF %1").arg(significantText(tracking::forPeople(rms_.ukf[joint], joint)));
   if (parts.isEmpty()) return unbroken(tr("no reference, n %1").arg(data_.samples.size()));
-  return unbroken(tr("RMS %1: %2").arg(data_.error, parts.join(QStringLiteral(", "))));
+  return unbroken(tr("RMS %1: %2").arg(errorWord(), parts.join(QStringLiteral(", "))));
 }
 
 std::vector<JointPlot*> TrajectoryFigure::all() const {
@@ -167,7 +172,8 @@ void TrajectoryFigure::setEntries() {
     pen.setWidthF(widths * pen.widthF());
     pen.setCapStyle(Qt::FlatCap);
     if (quantity == Quantity::kKinematic) pen.setDashPattern({3.6, 3.2});
-    entries.push_back({nameOf(quantity), [pen](QCPPainter* painter, const QRectF& box) {
+    entries.push_back({quantity == Quantity::kTrue ? history_.referenceName() : nameOf(quantity),
+                       [pen](QCPPainter* painter, const QRectF& box) {
                          painter->setPen(pen);
                          painter->drawLine(QPointF(box.left(), box.center().y()),
                                            QPointF(box.right(), box.center().y()));
@@ -234,7 +240,8 @@ std::string TrajectoryFigure::rmsCsv() const {
 std::vector<FigureNumbers> TrajectoryFigure::numbers() const {
   std::string csv = "t [s]";
   for (int joint = 0; joint < 3; ++joint)
-    for (const char* what : {"true", "kinematic", "camera", "ukf", "ukf_sigma"})
+    for (const char* what :
+         {data_.own_kinematics ? "own_kinematics" : "true", "kinematic", "camera", "ukf", "ukf_sigma"})
       csv += ",q" + std::to_string(joint + 1) + "_" + what + " [" +
              tracking::kJointUnits[static_cast<std::size_t>(joint)] + "]";
   csv += ",occluded,t_camera [s]\n";

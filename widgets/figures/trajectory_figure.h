@@ -31,7 +31,7 @@ struct TrajectoryRms {
 
 struct TrajectoryData {
   QString title = {}, note = {};
-  QString error = QStringLiteral("error");  ///< name of a difference from the true values
+  bool own_kinematics = false;  ///< q_true is the robot's own kinematics: differences from it are no errors
   std::array<QString, 3> joint_names = {QStringLiteral("shoulder"), QStringLiteral("elbow"),
                                         QStringLiteral("insertion")};
   std::vector<TrajectorySample> samples = {};
@@ -68,6 +68,7 @@ class TrajectoryFigure : public PanelFigure {
   void fillHistories();
   void addJoint(int joint);
   QString words(int joint) const;
+  QString errorWord() const;
   std::string rmsCsv() const;
   void setEntries();
   void endOnTicks(JointPlot& plot) const;

@@ -1,10 +1,14 @@
 #include "widgets/shell/analysis_controller.h"
 
+#include <fmt/format.h>
 #include <QAction>
 #include <QStackedWidget>
+
 #include <algorithm>
+#include <optional>
 
 #include "core/base/error.h"
+#include "core/base/yaml.h"
 #include "widgets/panels/analysis/analysis_panel.h"
 #include "widgets/panels/errors/errors_panel.h"
 #include "widgets/panels/notes/notes_panel.h"
@@ -12,6 +16,27 @@
 #include "widgets/shell/session_link.h"
 
 namespace capstan::widgets {
+namespace {
+
+/// What the errors of a pipeline assume, as live::Runner restarts its report for: robot, registration, filter
+/// options and cameras.
+struct Assumptions {
+  std::string robot, options;
+  std::optional<Eigen::Isometry3d> registration;
+  double baseline = 0.0;
+
+  static Assumptions of(const tracking::TrackingPipeline& pipeline) {
+    return {robot::formatDescription(pipeline.robot()), base::writeYaml(pipeline.options()),
+            pipeline.registration(), pipeline.rig() ? pipeline.rig()->baseline() : 0.0};
+  }
+  bool operator==(const Assumptions& other) const {
+    const bool same = registration && other.registration ? registration->isApprox(*other.registration)
+                                                         : !registration && !other.registration;
+    return same && robot == other.robot && options == other.options && baseline == other.baseline;
+  }
+};
+
+}  // namespace
 
 AnalysisController::AnalysisController(AnalysisPanel& panel, QStackedWidget& centre, SessionLink& link,
                                        SessionBar& bar, ErrorsPanel& errors, NotesPanel& notes,
@@ -39,7 +64,7 @@ void AnalysisController::addAction(QStackedWidget& centre, SessionBar& bar) {
   });
 }
 
-/// Called on the pipeline's thread. A change of the robot restarts the errors, as in the errors table.
+/// Called on the pipeline's thread. A change of the assumptions restarts the errors, as in the errors table.
 void AnalysisController::gather() {
   connect(&link_, &SessionLink::opened, this,
           [this](const tracking::SourceInfo& info, const SourceChoice& choice) {
@@ -51,12 +76,12 @@ void AnalysisController::gather() {
             for (std::size_t i = 0; i < names.size() && i < info.robot.joints.size(); ++i)
               names[i] = QString::fromStdString(info.robot.joints[i].name);
             panel_.setJointNames(names);
-            const auto robot = std::make_shared<std::string>(robot::formatDescription(info.robot));
+            const auto before = std::make_shared<std::optional<Assumptions>>();
             link_.listen(
-                this, {[gathered = gathered_, robot](const tracking::TrackingPipeline& pipeline) {
-                         std::string now = robot::formatDescription(pipeline.robot());
-                         if (now != *robot) gathered->restart();
-                         *robot = std::move(now);
+                this, {[gathered = gathered_, before](const tracking::TrackingPipeline& pipeline) {
+                         auto now = Assumptions::of(pipeline);
+                         if (*before && !(now == **before)) gathered->restart();
+                         *before = std::move(now);
                        },
                        [gathered = gathered_](const tracking::Sample&, const tracking::Snapshot& snapshot) {
                          gathered->errors.take(snapshot);
@@ -103,6 +128,9 @@ analysis::ErrorRun AnalysisController::soFar() const {
   run.kinematic_robot = run.filter_robot;
   run.own_kinematics = info.own_kinematics;
   run.simulated = !info.truth.empty();
+  const auto report = link_.runner()->report();
+  if (report.since != tracking::ReportStart::kBeginning)
+    run.notices.push_back(fmt::format("since {}, at {:.1f} s", base::nameOf(report.since), report.first_t));
   if (info.own_kinematics)
     run.notices.push_back("its reference is the robot's own kinematics: these are differences, not errors");
   return run;

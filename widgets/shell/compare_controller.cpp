@@ -41,6 +41,14 @@ std::shared_ptr<SecondRun> track(tracking::Source& source, const tracking::Sourc
   return run;
 }
 
+/// "in the session", and since when the report covers it.
+QString inTheSession(const tracking::TrackReport& report) {
+  return report.since == tracking::ReportStart::kBeginning
+             ? CompareController::tr("in the session")
+             : CompareController::tr("in the session since %1")
+                   .arg(QString::fromStdString(std::string(base::nameOf(report.since))));
+}
+
 /// UKF errors as "0.210°, 0.104°, 0.30 mm"; empty without a reference.
 QString errorsText(const tracking::TrackReport& report) {
   if (report.errors.ukf().count() == 0) return {};
@@ -151,10 +159,11 @@ void CompareController::compareWith(const QString& file) {
 
 void CompareController::showOver() {
   views_.figure.setSecond(second_->values, second_->errors);
-  const QString first = errorsText(link_.runner()->report()), second = errorsText(second_->report);
-  say(second.isEmpty()
-          ? tr("Dashed: UKF with %1.").arg(second_->words)
-          : tr("Dashed: UKF with %1. RMS errors %2; in the session %3.").arg(second_->words, second, first));
+  const auto report = link_.runner()->report();
+  const QString first = errorsText(report), second = errorsText(second_->report);
+  say(second.isEmpty() ? tr("Dashed: UKF with %1.").arg(second_->words)
+                       : tr("Dashed: UKF with %1. RMS errors %2; %3 %4.")
+                             .arg(second_->words, second, inTheSession(report), first));
 }
 
 void CompareController::showBeside() {
@@ -181,8 +190,9 @@ void CompareController::showBeside() {
                  .arg(aligned->correlation, 0, 'f', 2);
   if (same && !aligned->clear()) words += tr(" The motion repeats: other offsets fit nearly as well.");
   const QString errors = errorsText(second_->report);
+  const auto report = link_.runner()->report();
   if (!errors.isEmpty())
-    words += tr(" UKF errors %1; in the session %2.").arg(errors, errorsText(link_.runner()->report()));
+    words += tr(" UKF errors %1; %2 %3.").arg(errors, inTheSession(report), errorsText(report));
   say(words);
 }
 

@@ -22,6 +22,8 @@
 #include "widgets/panels/learning/learning_panel.h"
 #include "widgets/panels/notes/notes_panel.h"
 #include "widgets/panels/occlusion/occlusion_panel.h"
+#include "widgets/panels/registration/poses_page.h"
+#include "widgets/panels/registration/registration_panel.h"
 #include "widgets/panels/replay/replay_bar.h"
 #include "widgets/panels/status/status_line.h"
 #include "widgets/scene/scene_view.h"
@@ -42,6 +44,7 @@
 #include "widgets/shell/settings_watch.h"
 #include "widgets/shell/source_menu.h"
 #include "widgets/shell/units_dialog.h"
+#include "widgets/shell/unsaved_poses.h"
 #include "widgets/shell/window_menus.h"
 #include "widgets/shell/window_title.h"
 #include "widgets/video/stereo_view.h"
@@ -174,8 +177,7 @@ void MainWindow::connectLink() {
   });
   connect(&link_, &SessionLink::unitsAsked, this, &MainWindow::askUnits);
   connect(&link_, &SessionLink::status, this, &MainWindow::onStatus);
-  connect(&link_, &SessionLink::report, this,
-          [this](const auto& report) { errors_->showErrors(report.errors); });
+  connect(&link_, &SessionLink::report, this, [this](const auto& report) { errors_->showReport(report); });
   connect(&link_, &SessionLink::history, this, [this](const std::vector<tracking::Snapshot>& snapshots) {
     for (const auto& snapshot : snapshots) history_.append(snapshot);
     figure_->refresh();
@@ -244,6 +246,7 @@ void MainWindow::onOpened(const tracking::SourceInfo& info, const SourceChoice& 
     names[i] = i < info.robot.joints.size() ? QString::fromStdString(info.robot.joints[i].name)
                                             : tr("joint %1").arg(i + 1);
   figure_->setJointNames(names);
+  figure_->setLive(info.real_time);
   figure_->setFollowing(true);
   scene_->setRobot(info.robot, info.rig, info.base_from_camera);
   if (!info.rig) video_->clear(tr("this source has no images"));
@@ -350,6 +353,7 @@ void MainWindow::restore() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+  if (!settleUnsavedPoses(registration_->posesPage(), bar_->recordingFolder(), this)) return event->ignore();
   if (link_.recording()) link_.runner()->stopRecording();
   settings_->setValue("theme", theme_.name);
   settings_->setValue("geometry", saveGeometry());

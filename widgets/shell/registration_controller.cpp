@@ -34,27 +34,7 @@ RegistrationController::RegistrationController(const Views& views, SessionLink& 
     : QObject(parent), views_(views), link_(link) {
   addAction(bar);
   connectPanel();
-  connect(&link, &SessionLink::opened, this, [this](const tracking::SourceInfo& info) {
-    if (!link_.again()) accepted_.reset();
-    const auto images = link_.again() ? images_ : vision::ImageCorrection{};
-    const double scale = link_.again() ? scale_ : 1.0;
-    images_ = {}, scale_ = 1.0;
-    // After the scene and the notes have begun the session themselves.
-    QMetaObject::invokeMethod(
-        this,
-        [this, images, scale] {
-          useCameras(images, scale);
-          if ((!images.none() || scale != 1.0) && views_.dock.isVisible()) begin();
-        },
-        Qt::QueuedConnection);
-    in_use_ = accepted_ ? accepted_ : info.base_from_camera;
-    views_.panel.historyPage().setCurrent(in_use_);
-    views_.panel.historyPage().setRobot(info.robot);
-    of_poses_ = of_poses_ && accepted_;
-    now_ = info.begin;
-    if (accepted_) keepAccepted();
-    if (views_.dock.isVisible()) begin();
-  });
+  connect(&link, &SessionLink::opened, this, &RegistrationController::onOpened);
   watchCameras();
   connect(&link, &SessionLink::robotChanged, this, &RegistrationController::followRobot);
   connect(&link, &SessionLink::status, this, [this](const live::RunStatus& status) {
@@ -70,6 +50,31 @@ RegistrationController::RegistrationController(const Views& views, SessionLink& 
           [this](const tracking::StereoFrame& frame, const tracking::Snapshot& seen) {
             if (views_.panel.active()) views_.panel.showFrames(frame.left, frame.right, seen);
           });
+}
+
+void RegistrationController::onOpened(const tracking::SourceInfo& info, const SourceChoice& choice) {
+  if (!link_.again()) accepted_.reset();
+  const auto images = link_.again() ? images_ : vision::ImageCorrection{};
+  const double scale = link_.again() ? scale_ : 1.0;
+  const bool corrected = !images.none() || scale != 1.0;
+  images_ = {}, scale_ = 1.0;
+  choice_ = choice;
+  views_.panel.leave();  // what it collects is of the session before
+  // After the scene and the notes have begun the session themselves.
+  QMetaObject::invokeMethod(
+      this,
+      [this, images, scale, corrected] {
+        useCameras(images, scale);
+        if (corrected && views_.dock.isVisible()) begin();
+      },
+      Qt::QueuedConnection);
+  in_use_ = accepted_ ? accepted_ : info.base_from_camera;
+  views_.panel.historyPage().setCurrent(in_use_);
+  views_.panel.historyPage().setRobot(info.robot);
+  of_poses_ = of_poses_ && accepted_;
+  now_ = info.begin;
+  if (accepted_) keepAccepted();
+  if (views_.dock.isVisible() && !corrected) begin();
 }
 
 void RegistrationController::addAction(SessionBar& bar) {
@@ -95,6 +100,11 @@ void RegistrationController::connectPanel() {
     link_.setRunning(true);
   });
   connect(&views_.panel.posesPage(), &PosesPage::accepted, this, [this] { of_poses_ = true; });
+  connect(&views_.panel.posesPage(), &PosesPage::cleared, this, [this] {
+    if (!link_.runner()) return;
+    views_.panel.posesPage().begin(link_.runner()->robot(), in_use_);
+    notePoses();
+  });
   connect(&views_.panel, &RegistrationPanel::accepted, this,
           [this](const Eigen::Isometry3d& base_from_camera) {
             of_poses_ = false;  // unless the poses' page says so next
@@ -115,10 +125,11 @@ void RegistrationController::connectPanel() {
 
 void RegistrationController::use(const Eigen::Isometry3d& base_from_camera, const QString& how) {
   if (link_.runner()) link_.runner()->setRegistration(base_from_camera);
+  const bool other = !in_use_ || !in_use_->isApprox(base_from_camera);
   in_use_ = accepted_ = base_from_camera;
   views_.panel.historyPage().setCurrent(in_use_);
   views_.scene.setRegistration(base_from_camera);
-  views_.notes.addEvent(now_, "registration", how);
+  views_.notes.addEvent(now_, "registration", how + (other ? tr(", errors restarted") : QString()));
 }
 
 /// The cameras are checked while the dock is visible.
@@ -257,7 +268,22 @@ void RegistrationController::begin() {
   const tracking::SourceInfo info = link_.runner()->infoInUse();  // poses are tips by its robot's constants
   auto current = in_use_;
   if (!current && info.live) current = simulation::nominalBaseFromCamera(info.robot);
-  views_.panel.begin(info, current, link_.runner()->marker());
+  views_.panel.begin(info, current, link_.runner()->marker(), posesTaken());
+  if (views_.panel.posesPage().elsewhere()) return;
+  notePoses();
+}
+
+/// The panel's poses are of the present cameras from now on.
+void RegistrationController::notePoses() {
+  poses_by_ = camerasNow();
+  poses_session_ = QString::fromStdString(link_.runner()->info().title);
+}
+
+/// Where the panel's poses were taken, if by other cameras than those of now; else empty.
+QString RegistrationController::posesTaken() {
+  if (poses_by_ == camerasNow()) return {};
+  return poses_by_.choice == choice_ ? tr("before the cameras were corrected")
+                                     : tr("in the session %1").arg(poses_session_);
 }
 
 }  // namespace capstan::widgets

@@ -7,6 +7,7 @@
 
 #include "core/registration/camera_checks.h"
 #include "core/registration/registration_history.h"
+#include "widgets/shell/source_choice.h"
 
 class QDockWidget;
 
@@ -47,6 +48,17 @@ class RegistrationController : public QObject {
   RegistrationController(const Views& views, SessionLink& link, SessionBar& bar, QObject* parent);
 
  private:
+  /// What poses of one registration have in common.
+  struct CameraUse {
+    SourceChoice choice;
+    vision::ImageCorrection images;
+    double scale = 1.0;
+    bool operator==(const CameraUse&) const = default;
+  };
+  CameraUse camerasNow() const { return {choice_, images_, scale_}; }
+  void onOpened(const tracking::SourceInfo& info, const SourceChoice& choice);
+  QString posesTaken();
+  void notePoses();
   void addAction(SessionBar& bar);
   void connectPanel();
   void command(void (simulation::SimulatedSource::*what)());
@@ -69,6 +81,9 @@ class RegistrationController : public QObject {
   vision::ImageCorrection images_;             ///< correction of the source's images, in use
   double scale_ = 1.0;                         ///< of the source's base line, in use
   bool of_poses_ = false;                      ///< the registration in use was fitted to the panel's poses
+  SourceChoice choice_;                        ///< of the open source
+  CameraUse poses_by_;                         ///< with which the panel's poses were taken
+  QString poses_session_;                      ///< title of the session of the panel's poses
 };
 
 }  // namespace capstan::widgets

@@ -42,6 +42,17 @@ RoiLayout layOutRoi(const QSize& size, int text_height, const cv::Size& main_sha
   return layout;
 }
 
+QRectF freeCorner(const QRectF& main, const QSizeF& size, const std::vector<QRectF>& kept) {
+  const double right = main.right() - size.width(), bottom = main.bottom() - size.height();
+  const QPointF corners[] = {{right, main.top()}, {right, bottom}, {main.left(), bottom}, main.topLeft()};
+  for (const QPointF& corner : corners) {
+    const QRectF inset(corner, size);
+    const auto covers = [&](const QRectF& box) { return inset.intersects(box); };
+    if (std::none_of(kept.begin(), kept.end(), covers)) return inset;
+  }
+  return {corners[0], size};
+}
+
 cv::Rect regionToShow(const vision::MarkerDetection& detection, const cv::Size& frame, int side,
                       const cv::Rect& last) {
   const int size = std::min({side, frame.width, frame.height});

@@ -6,6 +6,7 @@
 #include <QRectF>
 #include <QSize>
 #include <opencv2/core/types.hpp>
+#include <vector>
 
 #include "core/vision/marker.h"
 
@@ -36,6 +37,10 @@ struct RoiLayout {
 /// corner of the image if that width is less than 88 px.
 RoiLayout layOutRoi(const QSize& size, int text_height, const cv::Size& main_shape,
                     const cv::Size& inset_shape);
+
+/// The corner of `main` for an inset of `size` that covers none of `kept`: top right, else the next one
+/// clockwise that is free; top right if none is.
+QRectF freeCorner(const QRectF& main, const QSizeF& size, const std::vector<QRectF>& kept);
 
 /// The part of a frame of size `frame` to magnify, always inside the frame: the region that was searched, of
 /// `side` pixels. After a search of the whole frame: a region of that size about the marker, or `last` if

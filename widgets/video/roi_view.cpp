@@ -15,6 +15,8 @@ namespace {
 
 constexpr double kTextPoints = 10.0;
 constexpr int kRegionSide = 100;  ///< side of the magnified region [px]
+constexpr double kLabelGap = 6.0, kBelow = 14.0,
+                 kAbove = -4.0;  ///< of a label's base line from its point [px]
 
 QString text(std::string_view view) { return QString::fromUtf8(view.data(), static_cast<int>(view.size())); }
 
@@ -114,7 +116,31 @@ RoiLayout RoiView::layOut() const {
   const int height = QFontMetrics(textFont(kTextPoints)).height() + 4;
   const cv::Size whole = frame_.empty() ? cv::Size(640, 480) : frame_.size();
   const cv::Size part = frame_.empty() ? cv::Size(kRegionSide, kRegionSide) : region_.size();
-  return whole_large_ ? layOutRoi(size(), height, whole, part) : layOutRoi(size(), height, part, whole);
+  RoiLayout layout =
+      whole_large_ ? layOutRoi(size(), height, whole, part) : layOutRoi(size(), height, part, whole);
+  if (!layout.inset_inside || frame_.empty()) return layout;
+  const ImageMap map{layout.main, whole_large_ ? wholeFrame() : region_};
+  std::vector<QRectF> kept;
+  if (!lost()) kept.push_back(markerBox(map));
+  for (const ImageLine& line : lines_)
+    if (!line.points.empty()) kept.push_back(labelBox(line, map));
+  layout.inset = freeCorner(layout.main, layout.inset.size(), kept);
+  return layout;
+}
+
+/// Box of a line's label and the circle beside it.
+QRectF RoiView::labelBox(const ImageLine& line, const ImageMap& map) const {
+  const QFontMetricsF metrics(textFont(kTextPoints - 1.0, true));
+  const QPointF end = map.toWidget(line.points.back());
+  const double radius = line.circle * map.scale();
+  const QRectF words(end + QPointF(radius + kLabelGap, (line.dashed ? kBelow : kAbove) - metrics.ascent()),
+                     QSizeF(metrics.horizontalAdvance(line.label), metrics.height()));
+  return words | QRectF(end - QPointF(radius, radius), QSizeF(2.0 * radius, 2.0 * radius));
+}
+
+QRectF RoiView::markerBox(const ImageMap& map) const {
+  const double radius = detection_.radius * map.scale();
+  return {map.toWidget(detection_.centroid) - QPointF(radius, radius), QSizeF(2.0 * radius, 2.0 * radius)};
 }
 
 ImageMap RoiView::mainMap() const { return {layOut().main, whole_large_ ? wholeFrame() : region_}; }
@@ -204,7 +230,7 @@ void RoiView::drawLines(QPainter& painter, const ImageMap& map) const {
     strokeWithHalo(painter, path, line.colour, 1.8, line.dashed ? Qt::DashLine : Qt::SolidLine);
     if (line.label.isEmpty() || map.target.width() < 240) continue;
     painter.setFont(textFont(kTextPoints - 1.0, true));
-    const QPointF at = end + QPointF(line.circle * map.scale() + 6, line.dashed ? 14 : -4);
+    const QPointF at = end + QPointF(line.circle * map.scale() + kLabelGap, line.dashed ? kBelow : kAbove);
     QPainterPath words;
     words.addText(at, painter.font(), line.label);
     strokeWithHalo(painter, words, QColor(0, 0, 0, 160), 1.0);

@@ -66,6 +66,8 @@ class RoiView : public QWidget {
  private:
   RoiLayout layOut() const;
   cv::Rect wholeFrame() const { return {0, 0, frame_.cols, frame_.rows}; }
+  QRectF labelBox(const ImageLine& line, const ImageMap& map) const;
+  QRectF markerBox(const ImageMap& map) const;
   void drawHeader(QPainter& painter, const QRect& area) const;
   void drawImage_(QPainter& painter, const ImageMap& map, bool main) const;
   void drawMarker(QPainter& painter, const ImageMap& map, bool main) const;

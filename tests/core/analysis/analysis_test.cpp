@@ -166,6 +166,15 @@ TEST(Analysis, OfARunWithItselfHasNoDifference) {
 }
 
 // The oracle is the plain path: the same bootstrap with the statistics that sort.
+TEST(Analysis, TheFilterIsNotComparedWithTheKinematicsThatAreTheReference) {
+  ErrorRun run = runOf(1, 1.0);
+  EXPECT_EQ(analyse(run, nullptr, {}).against, Against::kKinematic);
+  run.own_kinematics = true;
+  const Analysis analysis = analyse(run, nullptr, {});
+  EXPECT_EQ(analysis.against, Against::kNothing);
+  for (const AnalysisRow& row : analysis.rows) EXPECT_TRUE(std::isnan(row.of(Measure::kRms).value));
+}
+
 TEST(Analysis, IntervalsAreThoseOfTheBlockBootstrap) {
   const ErrorRun a = runOf(3, 1.0, 1500), b = runOf(4, 1.4, 1400, "two");
   AnalysisOptions options;

@@ -121,6 +121,19 @@ TEST(Tables, TrialsWithoutEncodersAreNotCounted) {
   EXPECT_THAT(meanTable(results, nullptr).note, HasSubstr("Means over 1 trial. "));
 }
 
+TEST(Tables, NothingImprovesOnTheRobotsOwnKinematics) {
+  Results results = paperTrials(readPublished(), 0.0899);
+  for (TrialResult& trial : results.trials) trial.own_kinematics = true;
+  const base::Table means = meanTable(results, nullptr);
+  for (const base::TableColumn& column : means.columns)
+    EXPECT_THAT(column.name, ::testing::Not(::testing::AnyOf(HasSubstr("improvement"), HasSubstr("P,"))));
+  for (const auto& row : means.rows) EXPECT_EQ(row.size(), means.columns.size());
+  for (const base::Table& table : {means, trialTable(results, nullptr)}) {
+    EXPECT_THAT(table.title, HasSubstr("differences from the robot's own kinematics"));
+    EXPECT_THAT(table.note, HasSubstr("cannot show which estimate is right"));
+  }
+}
+
 TEST(Tables, IdentifiedKinematicsAreAColumnOnlyWhereTheRobotIsAnother) {
   Results results = paperTrials(readPublished(), 0.0899);
   const auto has = [&](const base::Table& table, const std::string& name) {

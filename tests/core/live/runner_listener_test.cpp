@@ -144,6 +144,35 @@ TEST(RunnerRobot, IsExchangedFromTheNextSampleOnAndErrorsBeginAnew) {
   EXPECT_EQ(running.runner->report().motor_samples, after.motor_samples) << "of the new one";
 }
 
+TEST(RunnerReport, RestartsWithANewRegistrationAndSaysSo) {
+  using tracking::ReportStart;
+  const Running running(4.0);
+  const auto step = [&] {
+    running.runner->stepFrame();
+    ASSERT_TRUE(running.runner->waitUntilIdle(30.0));
+  };
+  const Eigen::Isometry3d pose(Eigen::Translation3d(0.1, 0.2, 0.3));
+  running.runner->setRegistration(pose);
+  ASSERT_NO_FATAL_FAILURE(step());
+  EXPECT_EQ(running.runner->report().since, ReportStart::kBeginning) << "nothing was tracked before";
+  const auto tracked = running.runner->report().motor_samples;
+  EXPECT_GT(tracked, 0U);
+  running.runner->setRegistration(pose);
+  ASSERT_NO_FATAL_FAILURE(step());
+  EXPECT_GT(running.runner->report().motor_samples, tracked) << "the registration in use";
+  const double t = running.runner->status().t;
+  running.runner->setRegistration(Eigen::Isometry3d(Eigen::Translation3d(0.1, 0.2, 0.31)));
+  ASSERT_TRUE(running.runner->waitUntilIdle(30.0));
+  EXPECT_EQ(running.runner->report().motor_samples, 0U);
+  EXPECT_EQ(running.runner->report().since, ReportStart::kRegistration);
+  ASSERT_NO_FATAL_FAILURE(step());
+  EXPECT_GE(running.runner->report().first_t, t);
+  EXPECT_EQ(running.runner->report().since, ReportStart::kRegistration);
+  running.runner->setRobot(otherRobot(), "smaller");
+  ASSERT_TRUE(running.runner->waitUntilIdle(30.0));
+  EXPECT_EQ(running.runner->report().since, ReportStart::kRobot);
+}
+
 TEST(RunnerRobot, KeepsTheRegistrationAndStandsInRecordings) {
   const TemporaryFolder folder;
   Running running(3.0);

@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/base/units.h"
 #include "core/live/occlusion.h"
+#include "core/recording/own_kinematics.h"
 #include "core/recording/raven_motors.h"
 #include "core/recording/settle_units.h"
 #include "core/recording/table_source.h"
@@ -133,6 +134,42 @@ TEST(TableSource, GivesMotorsReferenceAndTipsOfEachRow) {
 TEST(TableSource, RefusesOtherNumbersOfJointsAndTablesWithoutMotors) {
   EXPECT_THROW(TableSource(parseMeasuredTable("t,q_m1\n0,1\n", "x.csv"), raven()), base::InputError);
   EXPECT_THROW(TableSource(parseMeasuredTable("t,q1,q2,q3\n0,1,2,3\n", "x.csv"), raven()), base::InputError);
+}
+
+/// A table whose q follows from q_m by transmission kinematics, plus `stretch` [rad, rad, m] where joint 1
+/// moves up.
+MeasuredTable movingTable(double travel, const Eigen::Vector3d& stretch) {
+  const robot::Transmission transmission(raven());
+  MeasuredTable table;
+  table.file = "x.csv";
+  table.q_m.resize(3);
+  table.q.resize(3);
+  for (int row = 0; row < 100; ++row) {
+    const Eigen::Vector3d q(0.6 + travel * std::sin(0.1 * row), 1.4, 0.3);
+    const Eigen::Vector3d q_m = transmission.motorFromJoint(q);
+    table.t.push_back(1e-3 * row);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto joint = static_cast<Eigen::Index>(i);
+      table.q_m[i].push_back(q_m(joint));
+      table.q[i].push_back(q(joint) + (std::cos(0.1 * row) > 0.0 ? stretch(joint) : 0.0));
+    }
+  }
+  table.q[1][7] = std::nan("");
+  return table;
+}
+
+TEST(TableSource, JointsThatFollowFromTheMotorsAreTheRobotsOwnKinematics) {
+  const Eigen::Vector3d none = Eigen::Vector3d::Zero();
+  const TableSource own(movingTable(0.3, none), raven());
+  EXPECT_TRUE(own.info().own_kinematics);
+  EXPECT_NE(own.info().notices.back().find("own kinematics, no truth"), std::string::npos);
+  EXPECT_TRUE(isOwnKinematics(movingTable(0.3, Eigen::Vector3d(1e-5, 1e-5, 1e-6)), raven())) << "rounding";
+  EXPECT_FALSE(isOwnKinematics(movingTable(0.3, Eigen::Vector3d(1e-4, 0, 0)), raven())) << "0.006 deg";
+  EXPECT_FALSE(isOwnKinematics(movingTable(0.3, Eigen::Vector3d(0, 0, 5e-6)), raven())) << "0.005 mm";
+  EXPECT_FALSE(isOwnKinematics(movingTable(0.0, none), raven())) << "at rest nothing is known";
+  robot::Description other = raven();
+  other.drives[0].link_radius *= 0.99;
+  EXPECT_FALSE(TableSource(movingTable(0.3, none), other).info().own_kinematics);
 }
 
 TEST(MeasuredTable, ReadsTheSharedRecordings) {

@@ -34,6 +34,7 @@ TEST(Recordings, IndependentRobotIsTrackedBetterThanByKinematics) {
     EXPECT_LT(report.errors.ukf().value()(joint), report.errors.camera().value()(joint)) << joint;
   }
   EXPECT_GT(report.gateShare(Gate::kOpen), 0.99);
+  EXPECT_FALSE(report.own_kinematics);
 }
 
 TEST(Recordings, TheRobotsOwnMotorLogRunsToItsEnd) {
@@ -43,6 +44,8 @@ TEST(Recordings, TheRobotsOwnMotorLogRunsToItsEnd) {
   const TrackReport report = trackFile(*file, worst);
   EXPECT_EQ(report.motor_samples, 19415u);
   EXPECT_EQ(report.errors.ukf().count(), 19415u);
+  EXPECT_TRUE(report.own_kinematics);
+  EXPECT_TRUE(std::isnan(report.neesMean())) << "an error needs a truth";
   EXPECT_LT(worst, 1e-3);
   EXPECT_LT(base::toMillimetres(report.errors.kinematic().value()(2)), 1e-3);
 }

@@ -320,6 +320,11 @@ TEST(RoundTicker, NamesTheEndsOfAnAxisOfData) {
   QVector<QString> texts;
   ticker.generate({0.0, 188.26}, QLocale::c(), 'f', 6, ticks, nullptr, &texts);
   EXPECT_EQ(texts.toList().join(' ').toStdString(), "0 20 40 60 80 100 120 140 160 188");
+  ticker.setTickCount(10);
+  ticker.generate({15.0, 35.0}, QLocale::c(), 'f', 6, ticks, nullptr, &texts);
+  EXPECT_EQ(texts.toList().join(' ').toStdString(), "15 20 25 30 35") << "a detail: even steps";
+  ticker.generate({20.0, 40.0}, QLocale::c(), 'f', 6, ticks, nullptr, &texts);
+  EXPECT_EQ(texts.toList().join(' ').toStdString(), "20 22 24 26 28 30 32 34 36 38 40");
 }
 
 TEST(FigureText, HasTheDigitsThatCount) {

@@ -74,11 +74,15 @@ AnalysisFigures analysisFigures(const Analysis& analysis, const ErrorRun& a, con
                                 const std::array<QString, 3>& joint_names) {
   AnalysisFigures figures;
   const QString of = b ? QObject::tr("A and B") : QString::fromStdString(analysis.title_a);
-  figures.histogram.title = QObject::tr("Histogram of errors, %1").arg(of);
-  figures.boxplot.title = QObject::tr("Box plot of errors, %1").arg(of);
+  const bool own = a.own_kinematics || (b && b->own_kinematics);
+  const QString errors =
+      own ? QObject::tr("differences from the robot's own kinematics") : QObject::tr("errors");
+  const QString error = own ? QObject::tr("difference") : QObject::tr("error");
+  figures.histogram.title = QObject::tr("Histogram of %1, %2").arg(errors, of);
+  figures.boxplot.title = QObject::tr("Box plot of %1, %2").arg(errors, of);
   figures.histogram.note = figures.boxplot.note = noteOf(analysis);
   const QString quantity =
-      analysis.options.absolute ? QStringLiteral("|error|") : QObject::tr("signed error");
+      analysis.options.absolute ? QStringLiteral("|%1|").arg(error) : QObject::tr("signed %1").arg(error);
   figures.histogram.quantity = figures.boxplot.quantity = quantity;
   const auto& chosen = analysis.options.estimators;
   // Where sample counts differ, shares are what can be compared.

@@ -22,6 +22,38 @@ QString cellText(double rms, int joint) {
   return QString::number(tracking::forPeople(rms, joint), 'f', 2).rightJustified(5);
 }
 
+QString samplesOf(const tracking::TrackReport& report) {
+  return QString::number(report.errors.ukf().count());
+}
+
+/// What restarted the report; empty: nothing.
+QString startOf(const tracking::TrackReport& report) {
+  if (report.since == tracking::ReportStart::kBeginning) return {};
+  return QString::fromStdString(std::string(base::nameOf(report.since)));
+}
+
+QString noteOf(const tracking::TrackReport& report) {
+  if (report.own_kinematics) return ErrorsPanel::tr("own kinematics, no truth");
+  const QString start = startOf(report);
+  return start.isEmpty() ? ErrorsPanel::tr("%1 samples").arg(samplesOf(report))
+                         : ErrorsPanel::tr("%1 since %2").arg(samplesOf(report), start);
+}
+
+QString tipOf(const tracking::TrackReport& report) {
+  if (report.own_kinematics)
+    return ErrorsPanel::tr(
+               "The reference is the robot's own kinematics, computed from its motors: these are "
+               "differences from it, not errors. %1 samples.")
+        .arg(samplesOf(report));
+  const QString start = startOf(report);
+  return start.isEmpty() ? QString()
+                         : ErrorsPanel::tr(
+                               "RMS of the samples since %1, at %2 s: those before are of other "
+                               "assumptions")
+                               .arg(start)
+                               .arg(report.first_t, 0, 'f', 1);
+}
+
 }  // namespace
 
 ErrorsPanel::ErrorsPanel(QWidget* parent) : QWidget(parent) {
@@ -56,6 +88,8 @@ ErrorsPanel::ErrorsPanel(QWidget* parent) : QWidget(parent) {
   }
   note_ = new QLabel;
   note_->setFont(textFont(9.5));
+  note_->setWordWrap(true);
+  note_->setFixedHeight(2 * note_->fontMetrics().lineSpacing());  // the panel has one height
   reset_ = new QPushButton(tr("Reset"));
   reset_->setToolTip(tr("Restart the errors (E)"));
   reset_->setShortcut(QKeySequence(Qt::Key_E));
@@ -78,7 +112,7 @@ ErrorsPanel::ErrorsPanel(QWidget* parent) : QWidget(parent) {
   setContextMenuPolicy(Qt::ActionsContextMenu);
   setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
   setTheme(Theme::dark());
-  showErrors({});
+  showReport({});
 }
 
 void ErrorsPanel::showVerdict(const QString& verdict) {
@@ -112,18 +146,21 @@ void ErrorsPanel::setTheme(const Theme& theme) {
 
 void ErrorsPanel::setReference(bool fitted) {
   reference_ = fitted;
-  showErrors({});
+  showReport({});
 }
 
-void ErrorsPanel::showErrors(const tracking::ErrorTable& errors) {
+void ErrorsPanel::showReport(const tracking::TrackReport& report) {
+  const tracking::ErrorTable& errors = report.errors;
   const Eigen::Vector3d columns[] = {errors.kinematic().value(), errors.camera().value(),
                                      errors.ukf().value()};
   for (int joint = 0; joint < 3; ++joint)
     for (std::size_t column = 0; column < 3; ++column)
       cells_[static_cast<std::size_t>(joint)][column]->setText(cellText(columns[column][joint], joint));
-  note_->setText(reference_ ? tr("%1 samples").arg(static_cast<qulonglong>(errors.ukf().count()))
-                            : tr("no joint encoders here"));
+  note_->setText(reference_ ? noteOf(report) : tr("no joint encoders here"));
+  note_->setToolTip(tipOf(report));
 }
+
+QString ErrorsPanel::note() const { return note_->text(); }
 
 QString ErrorsPanel::cell(int joint, int column) const {
   return cells_[static_cast<std::size_t>(joint)][static_cast<std::size_t>(column)]->text();

@@ -3,7 +3,7 @@
 #include <QWidget>
 #include <array>
 
-#include "core/tracking/error_table.h"
+#include "core/tracking/track_all.h"
 #include "widgets/figures/theme.h"
 
 class QLabel;
@@ -18,10 +18,14 @@ class ErrorsPanel : public QWidget {
   explicit ErrorsPanel(QWidget* parent = nullptr);
 
   void setTheme(const Theme& theme);
-  void showErrors(const tracking::ErrorTable& errors);
-  /// Sets whether the source has joint encoders; without them a note replaces the number of samples. Clears
-  /// the errors.
+  /// Shows the errors of a report, and below them over how many samples they are. Differences from the
+  /// robot's own kinematics are called so.
+  void showReport(const tracking::TrackReport& report);
+  /// Sets whether the source has joint encoders, or else joint angles of its own; without them a note
+  /// replaces the number of samples. Clears the errors.
   void setReference(bool fitted);
+  /// The line below the errors.
+  QString note() const;
   /// Shows the verdict on the estimator, as "✓ pass"; empty: none yet.
   void showVerdict(const QString& verdict);
   /// Text of a cell: `joint` 0…2, `column` 0 kinematic, 1 camera, 2 UKF.

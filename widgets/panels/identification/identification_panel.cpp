@@ -28,6 +28,7 @@ namespace {
 
 constexpr int kPoll = 200;          ///< [ms]
 constexpr int kRoomForTrace = 330;  ///< height of the panel below which the table needs it all [px]
+constexpr int kLeastTrace = 96;     ///< [px]
 constexpr int kAdviceLines = 2;
 constexpr int kLeastPage = 88, kLeastTable = 56;  ///< least heights with which the buttons stay visible [px]
 
@@ -97,8 +98,9 @@ void IdentificationPanel::addPages(QVBoxLayout* column) {
   results->setSpacing(6);
   table_ = new ParameterTable;
   trace_ = new TracePlot;
-  results->addWidget(table_, 5);
-  results->addWidget(trace_, 2);
+  trace_->setMinimumHeight(kLeastTrace);
+  results->addWidget(table_);
+  results->addWidget(trace_, 1);
   changes_ = new QPlainTextEdit;
   changes_->setReadOnly(true);
   changes_->setFrameShape(QFrame::NoFrame);

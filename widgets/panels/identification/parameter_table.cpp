@@ -32,6 +32,7 @@ ParameterTable::ParameterTable(QWidget* parent) : QTreeWidget(parent) {
   setRootIsDecorated(false);
   setUniformRowHeights(true);
   setFrameShape(QFrame::NoFrame);
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Maximum);  // no taller than its rows
   setSelectionMode(QAbstractItemView::SingleSelection);
   setAllColumnsShowFocus(true);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -70,6 +71,7 @@ void ParameterTable::fill(QTreeWidgetItem& item, const identification::LiveRow& 
 void ParameterTable::showRows(const std::vector<identification::LiveRow>& rows) {
   rows_ = rows;
   const int count = static_cast<int>(rows.size());
+  if (count != topLevelItemCount()) updateGeometry();
   while (topLevelItemCount() > count) delete takeTopLevelItem(topLevelItemCount() - 1);
   while (topLevelItemCount() < count) addTopLevelItem(new QTreeWidgetItem);
   for (int i = 0; i < count; ++i) fill(*topLevelItem(i), rows_[static_cast<std::size_t>(i)]);

@@ -5,8 +5,10 @@
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QScrollBar>
+#include <QStyledItemDelegate>
 #include <QTreeWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 
 namespace capstan::widgets {
 
@@ -14,6 +16,40 @@ namespace {
 
 enum Column { kTime, kText, kColumns };
 constexpr int kTimeRole = Qt::UserRole, kKindRole = Qt::UserRole + 1, kPathRole = Qt::UserRole + 2;
+
+/// Rows as high as their text, wrapped at the width of its column. Long words break after slashes and
+/// underscores.
+class WrappedRows : public QStyledItemDelegate {
+ public:
+  explicit WrappedRows(QTreeWidget& list) : QStyledItemDelegate(&list), list_(list) {}
+  QString displayText(const QVariant& value, const QLocale&) const override {
+    QString text = value.toString();
+    for (const char* end : {"/", "_"}) text.replace(QLatin1String(end), QLatin1String(end) + QChar(0x200B));
+    return text;
+  }
+  QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+    QSize size = QStyledItemDelegate::sizeHint(option, index);
+    if (index.column() != kText) return size;
+    QStyleOptionViewItem own = option;
+    initStyleOption(&own, index);
+    const int margin = 2 * (list_.style()->pixelMetric(QStyle::PM_FocusFrameHMargin, &own, &list_) + 1);
+    const QRect room(0, 0, list_.columnWidth(kText) - 2 * margin, QWIDGETSIZE_MAX);
+    const int text = own.fontMetrics.boundingRect(room, Qt::TextWordWrap, own.text).height();
+    // The lines of the style are as high as a row of one line, which is more than the font's line spacing.
+    size.setHeight(size.height() * std::max(1, qRound(1.0 * text / own.fontMetrics.lineSpacing())));
+    return size;
+  }
+
+ private:
+  QTreeWidget& list_;
+};
+
+/// A tool tip of several lines: Qt wraps only rich text. Long words, such as paths, break after slashes.
+QString wrappedTip(const QString& text) {
+  QString rich = text.toHtmlEscaped();
+  rich.replace('/', QStringLiteral("/&#8203;")).replace('\n', QStringLiteral("<br>"));
+  return QStringLiteral("<qt>%1</qt>").arg(rich);
+}
 
 }  // namespace
 
@@ -26,6 +62,7 @@ NotesPanel::NotesPanel(QWidget* parent) : QWidget(parent), list_(new QTreeWidget
   list_->setRootIsDecorated(false);
   list_->setUniformRowHeights(false);
   list_->setWordWrap(true);
+  list_->setItemDelegate(new WrappedRows(*list_));
   list_->setFrameShape(QFrame::NoFrame);
   list_->setFocusPolicy(Qt::StrongFocus);
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -51,6 +88,7 @@ NotesPanel::NotesPanel(QWidget* parent) : QWidget(parent), list_(new QTreeWidget
   naming_.setSingleShot(true);
   connect(&naming_, &QTimer::timeout, this, [this] {
     for (int i = 0; i < list_->topLevelItemCount(); ++i) nameFile(list_->topLevelItem(i));
+    list_->doItemsLayout();  // rows are as high as their texts at this width
   });
   scroll_.setSingleShot(true);
   connect(&scroll_, &QTimer::timeout, list_, &QTreeWidget::scrollToBottom);
@@ -80,7 +118,7 @@ void NotesPanel::addEvent(double t, const QString& kind, const QString& text) {
   auto* item = new QTreeWidgetItem;
   item->setText(kTime, tr("%1 s").arg(t, 0, 'f', 1));
   item->setText(kText, kind == "note" ? text : tr("%1: %2").arg(kind, text));
-  item->setToolTip(kText, text);
+  item->setToolTip(kText, wrappedTip(text));
   item->setData(kTime, kTimeRole, t);
   item->setData(kTime, kKindRole, kind);
   paintRow(item);

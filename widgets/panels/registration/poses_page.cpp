@@ -7,22 +7,18 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QTableWidget>
 #include <QVariant>
 #include <algorithm>
 
 #include "core/base/error.h"
 #include "core/base/units.h"
-#include "core/registration/closure.h"
 #include "core/registration/pair_words.h"
-#include "core/tracking/transmission_text.h"
+#include "widgets/panels/registration/poses_text.h"
 
 namespace capstan::widgets {
 namespace {
-
-QString millimetres(double metres, int digits = 2) {
-  return QString::number(base::toMillimetres(metres), 'f', digits).replace('-', QStringLiteral("−"));
-}
 
 QTableWidgetItem* numberItem(const QString& text) {
   auto* item = new QTableWidgetItem(text);
@@ -31,17 +27,12 @@ QTableWidgetItem* numberItem(const QString& text) {
   return item;
 }
 
-/// Why poses by the robot file would mislead: what the augmented filter has found wrong in it; empty:
-/// nothing.
-QString wrongConstantsOf(const tracking::TransmissionEstimate& found) {
-  bool wrong = false;
-  for (const int joint : {0, 1, 2}) wrong |= found.includesScale(joint) || found.includesOffset(joint);
-  return wrong ? QObject::tr(
-                     "The filter finds the robot file wrong (%1), and the poses are computed with that "
-                     "file. Identify the robot and accept the values before you accept this "
-                     "registration; the poses are then computed again.")
-                     .arg(QString::fromStdString(tracking::shortTextOf(found)))
-               : QString();
+constexpr int kTableShare = 3, kTextShare = 2;     ///< of the height that is left for both
+constexpr int kLeastTable = 90, kLeastTexts = 60;  ///< [px]
+
+/// Texts of the button that collects: without poses, with poses, while it collects.
+QStringList collectWords() {
+  return {QObject::tr("Collect poses"), QObject::tr("Collect more"), QObject::tr("Stop")};
 }
 
 }  // namespace
@@ -56,42 +47,79 @@ PosesPage::PosesPage(QWidget* parent) : QWidget(parent) {
                                 .arg(base::toMillimetres(registration::PoseCollector::kSlow))
                                 .arg(base::toMillimetres(registration::PoseCollector::kApart)));
   advice->setWordWrap(true);
-  collect_ = new QPushButton(tr("Collect poses"));
-  collect_->setProperty("primary", true);
-  clear_ = new QPushButton(tr("Clear"));
-  save_ = new QPushButton(tr("Save poses…"));
-  save_->setToolTip(tr("Table for `capstan-cli register`"));
-  count_ = new QLabel;
-  auto* top = new QHBoxLayout;
-  top->addWidget(collect_);
-  top->addWidget(clear_);
-  top->addWidget(save_);
-  top->addStretch(1);
-  top->addWidget(count_);
   makeTable();
-  result_ = new QLabel;
-  result_->setFont(numberFont(10.5));
-  result_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  refusal_ = new QLabel;
-  refusal_->setWordWrap(true);
-  refusal_->setMargin(8);
   column->addWidget(advice);
-  column->addLayout(top);
-  column->addWidget(table_, 1);
-  column->addWidget(result_);
-  column->addWidget(refusal_);
+  column->addWidget(table_, kTableShare);
+  column->addWidget(makeTexts(), kTextShare);
+  column->addLayout(makeCollection());
   column->addWidget(makeDecision());
-  connect(collect_, &QPushButton::clicked, this, [this] { setCollecting(!collector_->collecting()); });
-  connect(clear_, &QPushButton::clicked, this, [this] {
-    collector_->clear();
-    refresh();
-  });
-  connect(save_, &QPushButton::clicked, this, &PosesPage::savePoses);
   setEnabled(false);
   setTheme(theme_);
 }
 
 PosesPage::~PosesPage() = default;
+
+/// Texts of any length in a place of fixed height, so that the buttons below stay where they are.
+QWidget* PosesPage::makeTexts() {
+  auto* box = new QWidget;
+  auto* column = new QVBoxLayout(box);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(6);
+  for (QLabel** notice : {&origin_, &robot_warning_, &refusal_}) {
+    *notice = new QLabel;
+    (*notice)->setWordWrap(true);
+    (*notice)->setMargin(6);
+    column->addWidget(*notice);
+  }
+  result_ = new QLabel;
+  result_->setFont(numberFont(10.5));
+  result_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  column->addWidget(result_);
+  column->addStretch(1);
+  texts_ = new QScrollArea;
+  texts_->setWidgetResizable(true);
+  texts_->setFrameShape(QFrame::NoFrame);
+  texts_->setMinimumHeight(kLeastTexts);
+  texts_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored);  // else the page grows with the texts
+  texts_->setAccessibleName(tr("result of the poses"));
+  texts_->setWidget(box);
+  texts_->viewport()->setAutoFillBackground(false);
+  box->setAutoFillBackground(false);
+  return texts_;
+}
+
+QLayout* PosesPage::makeCollection() {
+  collect_ = new QPushButton(collectWords()[0]);
+  collect_->setProperty("primary", true);
+  clear_ = new QPushButton(tr("Clear"));
+  save_ = new QPushButton(tr("Save poses…"));
+  save_->setToolTip(tr("Table for `capstan-cli register`"));
+  count_ = new QLabel;
+  auto* row = new QHBoxLayout;
+  row->addWidget(collect_);
+  row->addWidget(clear_);
+  row->addWidget(save_);
+  row->addStretch(1);
+  row->addWidget(count_);
+  connect(collect_, &QPushButton::clicked, this, [this] { setCollecting(!collector_->collecting()); });
+  connect(clear_, &QPushButton::clicked, this, &PosesPage::clear);
+  connect(save_, &QPushButton::clicked, this, &PosesPage::save);
+  return row;
+}
+
+/// The button that collects and stops keeps the width of its longest text.
+void PosesPage::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  const QString now = collect_->text();
+  int widest = 0;
+  for (const QString& words : collectWords()) {
+    collect_->setText(words);
+    widest = std::max(widest, collect_->sizeHint().width());
+  }
+  collect_->setText(now);
+  collect_->setMinimumWidth(widest);
+  closures_->setFixedHeight(2 * closures_->fontMetrics().lineSpacing());
+}
 
 void PosesPage::makeTable() {
   table_ = new QTableWidget(0, kColumns);
@@ -106,7 +134,8 @@ void PosesPage::makeTable() {
   table_->horizontalHeader()->setStretchLastSection(true);
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
-  table_->setMinimumHeight(120);
+  table_->setMinimumHeight(kLeastTable);
+  table_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored);
   connect(table_, &QTableWidget::itemChanged, this, [this](QTableWidgetItem* item) {
     if (filling_ || item->column() != kPose) return;
     collector_->exclude(static_cast<std::size_t>(item->row()), item->checkState() != Qt::Checked);
@@ -121,6 +150,7 @@ QWidget* PosesPage::makeDecision() {
   check_ = new QPushButton(tr("Check at three more poses"));
   closures_ = new QLabel;
   closures_->setWordWrap(true);
+  closures_->setAlignment(Qt::AlignLeft | Qt::AlignBottom);
   reason_ = new QComboBox;
   reason_->setEditable(true);
   reason_->addItems(
@@ -153,6 +183,7 @@ QWidget* PosesPage::makeDecision() {
 void PosesPage::accept() {
   const auto entry = registration::entryOf(registration::Decision::kAccepted, *collector_->fit());
   current_ = entry.pose();
+  unsaved_ = false;
   setCollecting(false);
   Q_EMIT accepted(*current_, summary());
   Q_EMIT decided(entry);
@@ -165,28 +196,37 @@ void PosesPage::reject() {
   entry.decision = Decision::kRejected;
   const QString reason = reason_->currentText().trimmed();
   entry.reason = reason.toStdString();
-  collector_->clear();
   reason_->clearEditText();
-  refresh();
+  clear();
   Q_EMIT rejected(reason);
   Q_EMIT decided(entry);
 }
 
 void PosesPage::setTheme(const Theme& theme) {
   theme_ = theme;
-  refusal_->setStyleSheet(noticeStyle(theme, theme.warning));
+  for (QLabel* notice : {origin_, robot_warning_, refusal_})
+    notice->setStyleSheet(noticeStyle(theme, theme.warning));
   closures_->setStyleSheet(QString("color:%1;").arg(theme.muted.name()));
 }
 
-void PosesPage::begin(const robot::Description& robot, const std::optional<Eigen::Isometry3d>& current) {
-  collector_ = std::make_unique<registration::PoseCollector>(robot);
+void PosesPage::begin(const robot::Description& robot, const std::optional<Eigen::Isometry3d>& current,
+                      const QString& taken) {
+  const bool kept = collector_ && !collector_->poses().empty() && (taken.isEmpty() || unsaved_);
+  if (!kept) {
+    collector_ = std::make_unique<registration::PoseCollector>(robot);
+    unsaved_ = false;
+    fault_.clear();
+  }
+  collector_->stop();
+  taken_ = kept ? taken : QString();
   current_ = current;
   setEnabled(true);
+  setRobot(robot);
   refresh();
 }
 
 void PosesPage::setRobot(const robot::Description& robot) {
-  if (!collector_) return;
+  if (!collector_ || elsewhere()) return;  // poses of elsewhere stay those of their robot
   collector_->setRobot(robot);
   wrong_constants_.clear();
   refresh();
@@ -197,7 +237,10 @@ void PosesPage::showSnapshot(const tracking::Snapshot& snapshot) {
   const QString wrong = wrongConstantsOf(snapshot.transmission);
   const bool changed = wrong.isEmpty() != wrong_constants_.isEmpty();
   wrong_constants_ = wrong;
-  if (collector_->observe(snapshot) || changed) refresh();
+  const std::size_t poses = collector_->poses().size();
+  const bool added = collector_->observe(snapshot);
+  unsaved_ = unsaved_ || collector_->poses().size() > poses;
+  if (added || changed) refresh();
 }
 
 void PosesPage::setEnded(bool ended) {
@@ -206,7 +249,9 @@ void PosesPage::setEnded(bool ended) {
 }
 
 void PosesPage::stop() {
-  if (collector_) setCollecting(false);
+  if (!collector_) return;
+  collector_->stop();
+  refresh();
 }
 
 bool PosesPage::active() const { return collector_ && (collector_->collecting() || collector_->checking()); }
@@ -218,32 +263,56 @@ void PosesPage::setCollecting(bool on) {
   refresh();
 }
 
+void PosesPage::clear() {
+  collector_->clear();
+  unsaved_ = false;
+  fault_.clear();
+  if (elsewhere()) Q_EMIT cleared();  // begins for the present session
+  refresh();
+}
+
 void PosesPage::refresh() {
   fillTable();
-  const auto& fit = collector_->fit();
+  refreshButtons();
+  refreshTexts();
+}
+
+void PosesPage::refreshButtons() {
+  const bool fitted = collector_->fit().has_value();
   const auto poses = collector_->poses().size();
-  const auto used = fit ? std::ranges::count(fit->used, true) : 0;
-  count_->setText(tr("%1 poses, %2 used").arg(poses).arg(used));
-  collect_->setText(collector_->collecting() ? tr("Stop")
-                    : poses > 0              ? tr("Collect more")
-                                             : tr("Collect poses"));
-  collect_->setEnabled(!ended_ || collector_->collecting());
+  const auto used = fitted ? std::ranges::count(collector_->fit()->used, true) : 0;
+  count_->setText(tr("%1 poses, %2 used").arg(poses).arg(used) +
+                  (unsaved_ && !collector_->collecting() ? tr(", not saved") : QString()));
+  collect_->setText(collectWords()[collector_->collecting() ? 2 : poses > 0 ? 1 : 0]);
+  collect_->setEnabled((!ended_ || collector_->collecting()) && !elsewhere());
   clear_->setEnabled(poses > 0);
   save_->setEnabled(poses > 0);
-  check_->setEnabled((fit || current_) && !ended_);
-  accept_->setEnabled(fit.has_value());
-  reject_->setEnabled(poses > 0 && !reason_->currentText().trimmed().isEmpty());
-  result_->setVisible(fit.has_value());
+  check_->setEnabled((fitted || current_) && !ended_ && !elsewhere());
+  accept_->setEnabled(fitted && !elsewhere());
+  reject_->setEnabled(poses > 0 && !elsewhere() && !reason_->currentText().trimmed().isEmpty());
+}
+
+void PosesPage::refreshTexts() {
+  const auto& fit = collector_->fit();
+  const bool any = !collector_->poses().empty();
+  QString refusal = fault_;
   if (fit) {
-    result_->setText(resultText());
-    refusal_->setText(QString::fromStdString(registration::warningOf(*fit)));
-  } else {
+    result_->setText(fitText(*collector_, current_));
+    if (refusal.isEmpty()) refusal = QString::fromStdString(registration::warningOf(*fit));
+  } else if (refusal.isEmpty()) {
     const auto words = registration::wordsOf(fit.error());
-    refusal_->setText(QString::fromStdString(words.reason + ". " + words.remedy + "."));
+    refusal = QString::fromStdString(words.reason + ". " + words.remedy + ".");
   }
-  if (!wrong_constants_.isEmpty()) refusal_->setText(wrong_constants_);  // it explains the residuals
-  refusal_->setVisible(poses > 0 && !refusal_->text().isEmpty());
-  closures_->setText(closureText());
+  origin_->setText(elsewhere() ? tr("These poses were taken %1, and new ones cannot join them. Save or clear "
+                                    "them to collect others.")
+                                     .arg(taken_)
+                               : QString());
+  robot_warning_->setText(wrong_constants_);
+  refusal_->setText(refusal);
+  result_->setVisible(fit.has_value());
+  for (QLabel* notice : {origin_, robot_warning_, refusal_})
+    notice->setVisible(any && !notice->text().isEmpty());
+  closures_->setText(closureText(*collector_, current_));
 }
 
 void PosesPage::fillTable() {
@@ -264,14 +333,14 @@ void PosesPage::fillRow(int row) {
   name->setCheckState(pose.excluded ? Qt::Unchecked : Qt::Checked);
   table_->setItem(row, kPose, name);
   for (int axis = 0; axis < 3; ++axis)
-    table_->setItem(row, kX + axis, numberItem(millimetres(pose.pair.base(axis), 1)));
+    table_->setItem(row, kX + axis, numberItem(inMillimetres(pose.pair.base(axis), 1)));
   QString residual = "–", shift = "–", state = pose.excluded ? tr("excluded") : tr("no fit");
   const auto& fit = collector_->fit();
   const auto& fitted = collector_->fitted();
   const auto at = static_cast<std::size_t>(std::ranges::find(fitted, index) - fitted.begin());
-  if (fit) residual = millimetres((fit->base_from_camera * pose.pair.camera - pose.pair.base).norm());
+  if (fit) residual = inMillimetres((fit->base_from_camera * pose.pair.camera - pose.pair.base).norm());
   if (fit && at < fitted.size()) {
-    shift = fit->used[at] ? millimetres(fit->shifts[at]) : "–";
+    shift = fit->used[at] ? inMillimetres(fit->shifts[at]) : "–";
     state = fit->used[at] ? tr("used") : tr("outlier");
   }
   table_->setItem(row, kResidual, numberItem(residual));
@@ -279,57 +348,22 @@ void PosesPage::fillRow(int row) {
   table_->setItem(row, kVerdict, numberItem(state));
 }
 
-QString PosesPage::resultText() const {
-  const auto& fit = *collector_->fit();
-  const auto line = [](const QString& name, const QString& value) { return name.leftJustified(24) + value; };
-  const Eigen::Vector3d place = fit.base_from_camera.translation();
-  QStringList lines = {line(
-      tr("base_from_camera"),
-      QString("%1, %2, %3 mm").arg(millimetres(place.x()), millimetres(place.y()), millimetres(place.z())))};
-  if (current_) {
-    const Eigen::AngleAxisd turn(fit.base_from_camera.rotation() * current_->rotation().transpose());
-    double moved = 0.0;
-    for (const auto& pose : collector_->poses())
-      moved = std::max(
-          moved, ((fit.base_from_camera.inverse() * pose.pair.base) - (current_->inverse() * pose.pair.base))
-                     .norm());
-    lines << line(tr("from the one in use"), tr("turned %1°, tip moved up to %2 mm")
-                                                 .arg(base::toDegrees(std::abs(turn.angle())), 0, 'f', 2)
-                                                 .arg(millimetres(moved)));
-  }
-  lines << line(tr("residual, leave-one-out"),
-                tr("%1 mm, %2 mm RMS").arg(millimetres(fit.rms), millimetres(fit.leave_one_out_rms)));
-  const auto error = collector_->workspaceError();
-  lines << line(tr("95 % error, workspace"),
-                tr("%1 mm, %2 mm at its far end").arg(millimetres(error.median), millimetres(error.largest)));
-  return lines.join('\n');
-}
-
-QString PosesPage::closureText() const {
-  const auto& checks = collector_->checks();
-  if (collector_->checking())
-    return tr("Move the arm: %1 of %2 poses").arg(checks.size()).arg(registration::PoseCollector::kChecks);
-  if (checks.empty())
-    return tr("Compares the %1 with three poses that are not in it")
-        .arg(collector_->fit() ? tr("fit") : tr("registration in use"));
-  const auto closures = collector_->fit() ? registration::closuresOf(*collector_->fit(), checks)
-                                          : registration::closuresOf(*current_, checks);
-  QStringList errors;
-  for (const auto& closure : closures) errors << millimetres(closure.error);
-  return tr("%1 mm. %2.")
-      .arg(errors.join(", "), QString::fromStdString(registration::closureWords(closures)));
-}
-
-void PosesPage::savePoses() {
+bool PosesPage::save() {
   const QString file =
       QFileDialog::getSaveFileName(this, tr("Save poses"), "poses.csv", tr("Tables (*.csv)"));
-  if (file.isEmpty()) return;
+  return !file.isEmpty() && saveTo(file);
+}
+
+bool PosesPage::saveTo(const QString& file) {
+  fault_.clear();
   try {
     collector_->save(file.toStdString());
+    unsaved_ = false;
   } catch (const base::InputError& error) {
-    refusal_->setText(QString::fromUtf8(error.what()));
-    refusal_->show();
+    fault_ = QString::fromUtf8(error.what());
   }
+  refresh();
+  return fault_.isEmpty();
 }
 
 }  // namespace capstan::widgets

@@ -49,8 +49,7 @@ RegistrationPanel::RegistrationPanel(QWidget* parent) : QWidget(parent) {
   connect(poses_, &PosesPage::rejected, this, &RegistrationPanel::rejected);
   connect(poses_, &PosesPage::decided, this, &RegistrationPanel::decided);
   connect(close_, &QPushButton::clicked, this, [this] {
-    if (guide_) guide_->leave();
-    poses_->stop();
+    leave();
     Q_EMIT finished();
   });
   setTheme(theme_);
@@ -129,17 +128,22 @@ void RegistrationPanel::setTheme(const Theme& theme) {
 
 void RegistrationPanel::begin(const tracking::SourceInfo& source,
                               const std::optional<Eigen::Isometry3d>& current,
-                              const vision::MarkerOptions& marker) {
+                              const vision::MarkerOptions& marker, const QString& poses_taken) {
   guide_ = std::make_unique<registration::RegistrationGuide>(source.robot, source.rig);
   guide_->start(current);
   cameras_->begin(source.rig, marker);
   stop_->setDrivable(source.live);
   result_->setRig(source.robot, source.rig);
-  poses_->begin(source.robot, current);
+  poses_->begin(source.robot, current, poses_taken);
   history_->setRobot(source.robot);
   close_->setText("Cancel");
   shown_ = RegistrationStep::kIdle;
   refresh();
+}
+
+void RegistrationPanel::leave() {
+  if (guide_) guide_->leave();
+  poses_->stop();
 }
 
 void RegistrationPanel::setEnded(bool ended) {

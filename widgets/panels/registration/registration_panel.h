@@ -40,9 +40,11 @@ class RegistrationPanel : public QWidget {
 
   void setTheme(const Theme& theme);
   /// Starts again for a source. `current`: the registration in use, or else the nominal mounting of the
-  /// cameras; its rotation is assumed to be known.
+  /// cameras; its rotation is assumed to be known. `poses_taken`: as PosesPage::begin().
   void begin(const tracking::SourceInfo& source, const std::optional<Eigen::Isometry3d>& current,
-             const vision::MarkerOptions& marker = {});
+             const vision::MarkerOptions& marker = {}, const QString& poses_taken = {});
+  /// Ends the guide and the collection of poses; collected poses stay.
+  void leave();
   void showSnapshot(const tracking::Snapshot& snapshot);
   void showFrames(const cv::Mat& left, const cv::Mat& right, const tracking::Snapshot& snapshot);
 

@@ -15,6 +15,8 @@ namespace capstan::widgets {
 
 namespace {
 
+constexpr int kLeastFrames = 120;  ///< [px]
+
 QString row(const QString& name, const Eigen::Vector3d& metres, const QString& sign) {
   QString line = name.leftJustified(22);
   for (int i = 0; i < 3; ++i) {
@@ -38,7 +40,9 @@ ResultPage::ResultPage(QWidget* parent) : QWidget(parent) {
   note_->setWordWrap(true);
   frames_ = new StereoView;
   frames_->setWholeFrameLarge(true);
-  frames_->setMinimumHeight(190);
+  frames_->setMinimumHeight(kLeastFrames);
+  // A scroll area gives its content the preferred height: that of the images would push the buttons out.
+  frames_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored);
   reason_ = new QComboBox;
   reason_->setEditable(true);
   reason_->addItems(

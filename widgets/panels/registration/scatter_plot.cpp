@@ -6,12 +6,14 @@
 
 #include "core/base/units.h"
 #include "widgets/figures/round_ticker.h"
+#include "widgets/figures/tick_fit.h"
 
 namespace capstan::widgets {
 
 namespace {
 
 constexpr double kMillimetres = base::toMillimetres(1.0);
+constexpr int kMostTicks = 7;  ///< of a horizontal axis
 
 QCPGraph* marks(QCustomPlot& plot, QCPScatterStyle::ScatterShape shape, double size) {
   auto* graph = plot.addGraph();
@@ -116,7 +118,10 @@ void ScatterPlot::scaleAcross() {
   const double shorter = std::max(1, std::min(area.width(), area.height()));
   across_->xAxis->setRange(-reach_ * area.width() / shorter, reach_ * area.width() / shorter);
   across_->yAxis->setRange(-reach_ * area.height() / shorter, reach_ * area.height() / shorter);
-  for (auto* plot : {across_, depth_}) plot->replot(QCustomPlot::rpQueuedReplot);
+  for (auto* plot : {across_, depth_}) {
+    fitTickCount(*plot->xAxis, kMostTicks);
+    plot->replot(QCustomPlot::rpQueuedReplot);
+  }
 }
 
 void ScatterPlot::resizeEvent(QResizeEvent*) {
