@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/base/due_times.h"
-#include "core/live/occlusion.h"
+#include "core/live/blocking.h"
 #include "core/live/pause_watch.h"
 #include "core/recording/occlusion_events.h"
 #include "core/recording/recorder.h"
@@ -81,6 +81,11 @@ class RecordingSlot {
   }
   void noteOcclusion(double t, const std::array<bool, 2>& blocked, bool added) {
     note(t, recording::kOcclusionKind, recording::occlusionText(blocked, added));
+  }
+  /// Notes the schedule and the cameras that are blocked, if any.
+  void noteOcclusion(double t, const Blocking& blocking, bool added) {
+    if (blocking.schedule().percentage > 0.0) noteOcclusion(t, blocking.schedule(), added);
+    if (blocking.any()) noteOcclusion(t, blocking.blocked(), added);
   }
   void setRegistration(double t, const Eigen::Isometry3d& base_from_camera) {
     if (recorder_) recorder_->setRegistration(t, base_from_camera);

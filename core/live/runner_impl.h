@@ -159,9 +159,7 @@ class Runner::Impl {
     auto recorder = std::make_shared<recording::Recorder>(path, in_use_.of(header), options);
     post([this, recorder] {
       recording_.begin(recorder);
-      if (blocking_.schedule().percentage > 0.0)
-        recording_.noteOcclusion(t_, blocking_.schedule(), !info_.live);
-      if (blocking_.any()) recording_.noteOcclusion(t_, blocking_.blocked(), !info_.live);
+      recording_.noteOcclusion(t_, blocking_, !info_.live);
     });
   }
   void stopRecording() {

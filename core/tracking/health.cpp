@@ -106,7 +106,7 @@ Images imagesOf(const TrackReport& report) {
   if (usedOf(report) > 0) return Images::kUsed;
   if (report.camera_samples == 0) return report.live_cameras ? Images::kNoneCame : Images::kNoCameras;
   const bool unregistered =
-      report.gates[static_cast<std::size_t>(Gate::kUnregistered)] == report.camera_samples;
+      report.gates[static_cast<std::size_t>(Gate::kUnregistered)] > 0;  // the rest: no marker
   return unregistered ? Images::kUnregistered : Images::kExcluded;
 }
 

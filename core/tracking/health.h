@@ -26,7 +26,7 @@ struct HealthLimits {
   double latency = 0.5, latency_fail = 1.0;        ///< 99 % latency over the filter's memory
   double rescues = 0.0, rescues_fail = 1e-3;       ///< repaired covariances per sample
   double lost = 0.0, lost_fail = 1e-3;             ///< lost, dropped and refused samples per sample
-  double no_images = 2.0;       ///< length of a session that has used no image, from which that is judged [s]
+  double no_images = 2.0;       ///< a session without a used image is judged from this length on [s]
   std::uint64_t updates = 300;  ///< camera updates before NIS is judged: 20 s at 15 per second
 };
 
@@ -46,9 +46,9 @@ std::uint64_t lostOf(const std::vector<SideStatus>& sides);
 void noteSource(const SourceInfo& info, const std::vector<SideStatus>& sides, TrackReport& report);
 
 /// Checks of the estimator that ran over `report`: NIS of every joint, NEES (with a reference), errors of the
-/// transmission, use of the cameras of a live session, detection rates, refused camera samples, latency,
-/// rescues, encoders, lost samples. `memory` is TrackingOptions::memory [s]. Checks of what the session does
-/// not have (images, reference) are left out.
+/// transmission, use of the cameras (of a live session, and where no image was used), detection rates,
+/// refused camera samples, latency, rescues, encoders, lost samples. `memory` is TrackingOptions::memory [s].
+/// Checks of images and of the reference are left out where there are none.
 std::vector<HealthCheck> healthOf(const TrackReport& report, const robot::Description& robot, double memory,
                                   const HealthLimits& limits = {});
 

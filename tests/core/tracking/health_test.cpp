@@ -177,7 +177,7 @@ TEST_F(HealthTest, LiveCamerasOfWhichNoImageIsUsedFail) {
   EXPECT_NE(check("cameras").advice.find("No pair of images came"), std::string::npos);
   report_ = {};
   report_.live_cameras = true;
-  run(60.0, [](Snapshot& s, int) { s.gate = Gate::kUnregistered; });
+  run(60.0, [](Snapshot& s, int k) { s.gate = k % 9 == 0 ? Gate::kLeftLost : Gate::kUnregistered; });
   EXPECT_EQ(check("cameras").verdict, HealthVerdict::kFail);
   EXPECT_NE(check("cameras").advice.find("not registered"), std::string::npos);
   report_ = {};

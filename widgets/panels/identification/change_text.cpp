@@ -3,6 +3,7 @@
 #include <QObject>
 #include <QStringList>
 
+#include "core/identification/estimate_text.h"
 #include "core/tracking/snapshot.h"
 #include "widgets/figures/number_text.h"
 
@@ -34,6 +35,14 @@ QString errorsText(const identification::ModelError& error, const robot::Descrip
   }
   lines << QObject::tr("RMS over the same %1 camera samples").arg(error.observations);
   return lines.join('\n');
+}
+
+QString acceptTip(const std::vector<identification::Estimate>& estimates) {
+  const QString found =
+      estimates.empty() ? QString() : QString::fromStdString(identification::identifiedText(estimates));
+  return QStringLiteral("<qt>%1 %2</qt>")
+      .arg(QObject::tr("The filter uses the identified values from now on; errors restart (Ctrl+Return)."),
+           found.toHtmlEscaped());
 }
 
 }  // namespace capstan::widgets

@@ -3,6 +3,7 @@
 #include <QString>
 #include <vector>
 
+#include "core/identification/estimate.h"
 #include "core/identification/model_error.h"
 #include "core/identification/parameters.h"
 #include "core/robot/description.h"
@@ -14,5 +15,8 @@ QString changesText(const std::vector<identification::RobotChange>& changes);
 /// Table of the model's errors, camera minus model, before and after: a line per joint, in degrees or
 /// millimetres.
 QString errorsText(const identification::ModelError& error, const robot::Description& robot);
+
+/// Tooltip of the button Accept: what `estimates` identify, and why the other parameters keep their values.
+QString acceptTip(const std::vector<identification::Estimate>& estimates);
 
 }  // namespace capstan::widgets

@@ -13,7 +13,6 @@
 #include <utility>
 
 #include "core/base/error.h"
-#include "core/identification/estimate_text.h"
 #include "widgets/panels/identification/change_text.h"
 #include "widgets/panels/identification/motion_offer.h"
 #include "widgets/panels/identification/parameter_choice.h"
@@ -25,7 +24,6 @@ namespace capstan::widgets {
 using identification::LivePhase;
 
 namespace {
-
 constexpr int kPoll = 200;          ///< [ms]
 constexpr int kRoomForTrace = 330;  ///< height of the panel below which the table needs it all [px]
 constexpr int kLeastTrace = 96;     ///< [px]
@@ -387,16 +385,7 @@ void IdentificationPanel::showButtons() {
   refine_->setText(live_.refining() ? tr("Cancel") : tr("Refine"));
   refine_->setEnabled(!live_.shown().estimates.empty());
   accept_->setEnabled(live_.acceptable() && !live_.refining());
-  const auto& estimates = live_.shown().estimates;
-  accept_->setToolTip(
-      QStringLiteral("<qt>%1 %2</qt>")
-          .arg(tr("The filter uses the identified values from now on; errors restart (Ctrl+Return)."),
-               estimates.empty() ? QString()
-                                 : text(identification::identifiedText(estimates)).toHtmlEscaped()));
-  words_->setToolTip(accepted || estimates.empty()
-                         ? QString()
-                         : QStringLiteral("<qt>%1</qt>")
-                               .arg(text(identification::identifiedText(estimates)).toHtmlEscaped()));
+  accept_->setToolTip(acceptTip(live_.shown().estimates));
   for (auto* one : {refine_, discard_, accept_}) one->setVisible(!idle && !accepted);
   for (auto* one : {revert_, save_}) one->setVisible(accepted);
 }
