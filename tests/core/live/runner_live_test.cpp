@@ -93,6 +93,7 @@ class LiveRunner : public ::testing::Test {
   }
   void record() {
     runner_->startRecording(folder_ / "a.capstan", recording::headerOf(runner_->info(), "2026-11-21"));
+    for (int k = 0; k < 1000 && !runner_->status().recorder; ++k) std::this_thread::sleep_for(5ms);
   }
   /// Waits until the session's time is `t`.
   testing::AssertionResult comesTo(double t) {
