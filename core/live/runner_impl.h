@@ -93,7 +93,7 @@ class Runner::Impl {
     in_use_.setRegistration(pose);
     post([this, pose] {
       const auto& former = pipeline_.registration();
-      if (!former || !former->isApprox(pose)) restartReport(tracking::ReportStart::kRegistration);
+      if (!former || !former->isApprox(pose)) report_.restart(tracking::ReportStart::kRegistration);
       pipeline_.setRegistration(pose);
       if (listener_) listener_.begin(pipeline_);
       recording_.setRegistration(t_, pose);
@@ -145,7 +145,7 @@ class Runner::Impl {
   }
 
   void resetErrors() {
-    post([this] { restartReport(tracking::ReportStart::kReset); });
+    post([this] { report_.restart(tracking::ReportStart::kReset); });
   }
   void note(std::string text) {
     post([this, text = std::move(text)] { recording_.note(t_, "note", text); });
@@ -210,17 +210,10 @@ class Runner::Impl {
     post([this, next, start, kind, note] {
       tracking::takeOver(pipeline_, *next);
       pipeline_ = std::move(*next);
-      restartReport(start);
+      report_.restart(start);
       if (listener_) listener_.begin(pipeline_);
       recording_.note(t_, kind, note);
     });
-  }
-
-  /// Errors of before `start` are of other assumptions. A report without samples keeps its beginning.
-  void restartReport(tracking::ReportStart start) {
-    const auto since = report_.motor_samples > 0 ? start : report_.since;
-    report_ = {};
-    report_.since = since;
   }
 
   void work() {

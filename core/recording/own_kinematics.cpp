@@ -31,7 +31,7 @@ bool isOwnKinematics(const MeasuredTable& table, const robot::Description& robot
     const robot::JointVector difference = transmission.jointFromMotor(q_m) - q;
     for (std::size_t joint = 0; joint < table.q.size(); ++joint) {
       const auto i = static_cast<Eigen::Index>(joint);
-      if (std::abs(shown(difference(i), joint)) > kOwnKinematics) return false;
+      if (std::abs(shown(difference(i), joint)) > kSameAngle) return false;
       low[joint] = std::min(low[joint], shown(q(i), joint));
       high[joint] = std::max(high[joint], shown(q(i), joint));
     }

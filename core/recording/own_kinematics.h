@@ -8,11 +8,11 @@ namespace capstan::recording {
 /// Largest difference of q from the transmission kinematics of q_m in a table whose q is computed from q_m,
 /// in deg or mm: rounding of the RAVEN-II's log is 1e-3, and joint encoders differ from kinematics by more,
 /// as cables stretch.
-inline constexpr double kOwnKinematics = 2e-3;
+inline constexpr double kSameAngle = 2e-3;
 /// Least range of a joint at which that says something [deg or mm].
 inline constexpr double kOwnMotion = 1.0;
 
-/// True when the columns q are the transmission kinematics of q_m by `robot`, to kOwnKinematics in every row
+/// True when the columns q are the transmission kinematics of q_m by `robot`, to kSameAngle in every row
 /// of a table whose joints move: the robot computed them from its motors, and they are no measured truth.
 bool isOwnKinematics(const MeasuredTable& table, const robot::Description& robot);
 

@@ -67,7 +67,7 @@ TableSource::TableSource(MeasuredTable table, const robot::Description& robot) :
   info_.notices.push_back(
       fmt::format("{}: q1, q2, q3 follow from the motor positions by {} to {} deg and mm: taken as the "
                   "robot's own kinematics, no truth",
-                  table_.file, robot.name, kOwnKinematics));
+                  table_.file, robot.name, kSameAngle));
 }
 
 std::vector<std::string> noticesOf(const MeasuredTable& table) {

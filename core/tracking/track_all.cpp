@@ -50,6 +50,12 @@ void TrackReport::add(const Snapshot& snapshot) {
   }
 }
 
+void TrackReport::restart(ReportStart start) {
+  const ReportStart kept = motor_samples > 0 ? start : since;
+  *this = {};
+  since = kept;
+}
+
 double TrackReport::gateShare(Gate gate) const {
   return ratio(static_cast<double>(gates[static_cast<std::size_t>(gate)]), camera_samples);
 }

@@ -50,6 +50,9 @@ struct TrackReport {
 
   /// Adds a snapshot. Counts start at the first snapshot, independent of earlier counts of the pipeline.
   void add(const Snapshot& snapshot);
+  /// Begins again: what was before `start` is of other assumptions. Without samples it keeps its own
+  /// beginning.
+  void restart(ReportStart start);
   double gateShare(Gate gate) const;  ///< share of camera samples; NaN without any
   /// Number of frames whose view was not blocked deliberately, and the share of them with a marker (NaN:
   /// there are none); 0 left, 1 right.

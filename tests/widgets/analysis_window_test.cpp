@@ -104,7 +104,8 @@ TEST_F(AnalysisWindow, FitsBesideTheDocksOfASmallWindow) {
     QTest::qWait(200);
     for (const DockScroll* scroll : window_->centralWidget()->findChildren<DockScroll*>()) {
       if (!scroll->isVisible()) continue;
-      EXPECT_EQ(scroll->horizontalScrollBar()->maximum(), 0) << page << ": least widths" << leastWidths(*scroll->widget());
+      EXPECT_EQ(scroll->horizontalScrollBar()->maximum(), 0)
+          << page << ": least widths" << leastWidths(*scroll->widget());
     }
   }
 }

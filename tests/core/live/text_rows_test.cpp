@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char* kHeader = "t,q_m1,q_m2,q_m3\n";
 
-std::string rowsFrom(int first, int count) {
+std::string numbersFrom(int first, int count) {
   std::string text;
   for (int k = first; k < first + count; ++k) text += std::to_string(1e-3 * k) + ",80,-90,-480\n";
   return text;
@@ -23,7 +23,7 @@ std::string rowsFrom(int first, int count) {
 
 TEST(RowParser, ARowThatIsCutOffIsDiscarded) {
   RowParser parser("rows", robot::readDescriptionOrDefault({}), {});
-  parser.add(kHeader + rowsFrom(0, 51) + "0.052,82,-90,-48");
+  parser.add(kHeader + numbersFrom(0, 51) + "0.052,82,-90,-48");
   EXPECT_TRUE(parser.discardIncomplete());
   EXPECT_FALSE(parser.discardIncomplete());
   EXPECT_EQ(parser.take(true)->rows(), 51U);
@@ -49,7 +49,7 @@ TEST(TextRows, OnlyAFileHasALastRowWithoutALineFeed) {
     }
     return std::pair(count, rows.incomplete());
   };
-  const std::string text = kHeader + rowsFrom(0, 60) + "0.060,80,-90,-48";
+  const std::string text = kHeader + numbersFrom(0, 60) + "0.060,80,-90,-48";
   int pipe[2];
   ASSERT_EQ(::pipe(pipe), 0);
   ASSERT_EQ(::write(pipe[1], text.data(), text.size()), static_cast<ssize_t>(text.size()));
