@@ -150,7 +150,7 @@ TEST(Recovery, SeenMeansByTheStatedSigma) {
   EXPECT_TRUE(low_confidence.before.parameters[0].seen) << "by noise alone";
   EXPECT_GT(low_confidence.estimates[0].sigma, kSeenShare * set[0].prior_sigma);
   EXPECT_FALSE(low_confidence.estimates[0].seen);
-  EXPECT_NE(low_confidence.estimates[0].advice.find("friction and hysteresis"), std::string::npos)
+  EXPECT_NE(low_confidence.estimates[0].advice.find("Friction and hysteresis"), std::string::npos)
       << low_confidence.estimates[0].advice;
   EXPECT_EQ(identifiedRobot(set, low_confidence.estimates).drives[1].cable_stiffness,
             truth.drives[1].cable_stiffness);
