@@ -39,6 +39,8 @@ ExitCode record(const RecordArguments& arguments) {
   checkOutputs({{"--out", arguments.out}, {"--json", arguments.json}}, {arguments.robot});
   if (std::filesystem::path(arguments.out).extension() != recording::kSessionSuffix)
     refuseOption("--out", arguments.out, "does not end in .capstan", "Give a name with .capstan");
+  if (std::filesystem::exists(arguments.out))  // before a program is waited for
+    refuseFile(arguments.out, "exists already", "Choose another name");
   const Output output(arguments.json);
   const std::unique_ptr<live::MonitorFeed> feed = makeMonitorFeed(arguments.monitor_feed);
   const std::unique_ptr<live::EstimateOutputs> outputs = makeEstimateOutputs(arguments.publish);

@@ -157,6 +157,19 @@ std::string detectionText(const TrackReport& report, int side) {
 }
 
 /// Images whose view was blocked deliberately are no evidence of a fault.
+std::string missedAdvice(const TrackReport& report, int side, const std::string& name) {
+  if (report.wrong_image[static_cast<std::size_t>(side)] > report.frames / 2)
+    return fmt::format(
+        "The images of the {} camera have another size or format than its calibration. Calibrate at this "
+        "size, "
+        "let the camera send the calibrated one, or correct the layout in the live set-up.",
+        name);
+  return fmt::format(
+      "The marker was not found in {:.0f} % of the {} camera's images. Remove what hides it, or set the "
+      "marker's colour and the exposure again.",
+      100.0 * (1.0 - report.detectionRate(side)), name);
+}
+
 void addDetection(const TrackReport& report, const HealthLimits& limits, Checks& checks) {
   if (report.frames == 0) return;
   for (const int side : {0, 1}) {
@@ -165,9 +178,7 @@ void addDetection(const TrackReport& report, const HealthLimits& limits, Checks&
     add(checks, {"detection_" + name, fmt::format("marker in the {} image", name),
                  judge(1.0 - rate, limits.undetected, limits.undetected_fail), detectionText(report, side),
                  fmt::format("at least {:.0f} %", 100.0 * (1.0 - limits.undetected)),
-                 fmt::format("The marker was not found in {:.0f} % of the {} camera's images. Remove what "
-                             "hides it, or set the marker's colour and the exposure again.",
-                             100.0 * (1.0 - rate), name)});
+                 missedAdvice(report, side, name)});
   }
 }
 

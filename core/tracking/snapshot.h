@@ -134,6 +134,11 @@ namespace capstan::tracking {
 /// True if the newest camera sample is a tip that another system measured, without images.
 inline bool tipAlone(const Snapshot& s) { return s.camera_samples > 0 && !s.camera_images; }
 
+/// True if the marker is hidden from a camera in the newest sample.
+inline bool markerLost(const Snapshot& s) {
+  return s.gate == Gate::kLeftLost || s.gate == Gate::kRightLost || s.gate == Gate::kBothLost;
+}
+
 /// Name of the gate's state, in words for images or for tips.
 inline std::string_view gateWords(const Snapshot& s) {
   if (s.ray_used) return s.gate == Gate::kLeftLost ? "right camera alone" : "left camera alone";
@@ -143,17 +148,15 @@ inline std::string_view gateWords(const Snapshot& s) {
     if (s.gate == Gate::kJump) return "tip jumped";
     if (s.gate == Gate::kLate) return "tips too late";
   }
+  if (markerLost(s))
+    for (const auto& marker : s.marker)
+      if (marker.fault == vision::MarkerFault::kWrongImage) return base::nameOf(marker.fault);
   return base::nameOf(s.gate);
 }
 
 /// True if the filter has no camera sample to use: none comes, or all are too late.
 inline bool cameraSilent(const Snapshot& s) {
   return s.camera_samples > 0 && (s.gate == Gate::kNoCamera || s.gate == Gate::kLate);
-}
-
-/// True if the marker is hidden from a camera in the newest sample.
-inline bool markerLost(const Snapshot& s) {
-  return s.gate == Gate::kLeftLost || s.gate == Gate::kRightLost || s.gate == Gate::kBothLost;
 }
 
 }  // namespace capstan::tracking

@@ -44,6 +44,7 @@ void TrackReport::add(const Snapshot& snapshot) {
   ++frames;
   for (std::size_t side = 0; side < 2; ++side) {
     if (snapshot.view_blocked[side]) ++blocked[side];
+    if (snapshot.marker[side].fault == vision::MarkerFault::kWrongImage) ++wrong_image[side];
     if (snapshot.view_blocked[side] || !snapshot.marker[side].found()) continue;
     ++detected[side];
     if (snapshot.marker[side].full_frame) ++full_frame[side];

@@ -23,17 +23,18 @@ enum class ReportStart : std::uint8_t { kBeginning, kReset, kRegistration, kRobo
 struct TrackReport {
   ErrorTable errors;
   std::uint64_t motor_samples = 0;
-  std::uint64_t camera_samples = 0;           ///< number of frames and tip samples
-  std::array<std::uint64_t, 10> gates{};      ///< number of camera samples by Gate
-  std::uint64_t frames = 0;                   ///< number of camera samples with images
-  std::array<std::uint64_t, 2> blocked{};     ///< number of frames whose view was blocked deliberately
-  std::array<std::uint64_t, 2> detected{};    ///< number of the other frames with a marker: left, right
-  std::array<std::uint64_t, 2> full_frame{};  ///< number of `detected` found by the full-frame search
-  double first_t = 0.0, last_t = 0.0;         ///< time of the first and last motor sample [s]
-  double nis_sum = 0.0;                       ///< sum of NIS over accepted camera samples
-  std::uint64_t rays = 0;                     ///< updates with the ray of one camera
-  double ray_nis_sum = 0.0;                   ///< sum of their NIS
-  double nees_sum = 0.0;                      ///< sum of NEES over paired references
+  std::uint64_t camera_samples = 0;            ///< number of frames and tip samples
+  std::array<std::uint64_t, 10> gates{};       ///< number of camera samples by Gate
+  std::uint64_t frames = 0;                    ///< number of camera samples with images
+  std::array<std::uint64_t, 2> blocked{};      ///< number of frames whose view was blocked deliberately
+  std::array<std::uint64_t, 2> detected{};     ///< number of the other frames with a marker: left, right
+  std::array<std::uint64_t, 2> wrong_image{};  ///< of another size or format than the calibration
+  std::array<std::uint64_t, 2> full_frame{};   ///< number of `detected` found by the full-frame search
+  double first_t = 0.0, last_t = 0.0;          ///< time of the first and last motor sample [s]
+  double nis_sum = 0.0;                        ///< sum of NIS over accepted camera samples
+  std::uint64_t rays = 0;                      ///< updates with the ray of one camera
+  double ray_nis_sum = 0.0;                    ///< sum of their NIS
+  double nees_sum = 0.0;                       ///< sum of NEES over paired references
   std::uint64_t nees_count = 0;
   InnovationRecord innovations;  ///< of accepted camera samples
   LatencyCounts latencies;       ///< of camera samples

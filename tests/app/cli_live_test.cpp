@@ -263,6 +263,11 @@ TEST_F(CliLive, BadAddressesAndFaultsAreRefused) {
     EXPECT_EQ(ran.exit, 2) << arguments;
     EXPECT_NE(ran.err.find(words), std::string::npos) << arguments << ": " << ran.err;
   }
+  write("there.capstan", "");
+  const Ran ran = run("record --live tcp://127.0.0.1:0 --out " + path("there.capstan"));
+  EXPECT_EQ(ran.exit, 2);
+  EXPECT_NE(ran.err.find("exists already"), std::string::npos) << ran.err;
+  EXPECT_EQ(ran.err.find("waiting"), std::string::npos) << "said before anything is waited for: " << ran.err;
 }
 
 }  // namespace

@@ -191,6 +191,18 @@ TEST_F(HealthTest, LiveCamerasOfWhichNoImageIsUsedFail) {
   EXPECT_NE(check("cameras").advice.find("by the motors alone. No camera"), std::string::npos);
 }
 
+TEST_F(HealthTest, ImagesOfAnotherSizeAreNamed) {
+  run(60.0, [](Snapshot& s, int) {
+    s.gate = Gate::kBothLost;
+    for (auto& marker : s.marker) marker.fault = vision::MarkerFault::kWrongImage;
+    EXPECT_EQ(gateWords(s), "image of another size or format");
+  });
+  EXPECT_EQ(check("detection_right").verdict, HealthVerdict::kFail);
+  EXPECT_NE(check("detection_right").advice.find("the right camera have another size or format"),
+            std::string::npos)
+      << check("detection_right").advice;
+}
+
 TEST_F(HealthTest, WhatNoImageShowsIsUnknown) {
   run(60.0, [](Snapshot& s, int) { s.gate = Gate::kUnregistered; });
   EXPECT_EQ(check("cameras").verdict, HealthVerdict::kFail);

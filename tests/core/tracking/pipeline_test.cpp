@@ -99,7 +99,7 @@ TEST(Pipeline, TooLateSamplesAreCountedAndLeaveTheEstimate) {
   const Vector3d before = pipeline.snapshot().q_link_ukf;
   const Snapshot& after = pipeline.step(TipSample{0.3, 2.0, pipeline.snapshot().tip_ukf});
   EXPECT_EQ(after.late_dropped, 1u);
-  EXPECT_EQ(after.gate, Gate::kNoCamera);
+  EXPECT_EQ(after.gate, Gate::kLate);
   EXPECT_EQ(after.q_link_ukf, before);
 }
 
