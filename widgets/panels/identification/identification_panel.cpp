@@ -302,13 +302,13 @@ void IdentificationPanel::overtake() {
 /// Starts the next run when it is due.
 void IdentificationPanel::poll() {
   const auto now = [this] { return 1e-3 * static_cast<double>(clock_.elapsed()); };
-  if (!job_.busy() && offer_->searching())
+  if (job_.busy()) return refresh();
+  if (offer_->searching())
     propose();
-  else if (!job_.busy())
-    if (const auto request = live_.next(now()))
-      job_.start([request = *request](
-                     base::Progress& progress) { return identification::runLive(request, progress); },
-                 [this, now](identification::LiveReport report) { live_.take(std::move(report), now()); });
+  else if (const auto request = live_.next(now()))
+    job_.start(
+        [request = *request](base::Progress& progress) { return identification::runLive(request, progress); },
+        [this, now](identification::LiveReport report) { live_.take(std::move(report), now()); });
   refresh();
 }
 
@@ -390,10 +390,7 @@ void IdentificationPanel::showButtons() {
   for (auto* one : {revert_, save_}) one->setVisible(accepted);
 }
 
-void IdentificationPanel::resizeEvent(QResizeEvent* event) {
-  QWidget::resizeEvent(event);
-  trace_->setVisible(height() >= kRoomForTrace);
-}
+void IdentificationPanel::resizeEvent(QResizeEvent*) { trace_->setVisible(height() >= kRoomForTrace); }
 
 QString IdentificationPanel::words() const { return words_->text(); }
 QString IdentificationPanel::advice() const { return advice_->text(); }
