@@ -34,7 +34,7 @@ class RenderedView : public QWidget {
   virtual Drawing drawing() = 0;
 
   void changed();
-  /// Forgets the image, and those that were asked for.
+  /// Discards the image and the drawings that are queued.
   void clear();
 
   void resizeEvent(QResizeEvent* event) override;

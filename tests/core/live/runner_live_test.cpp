@@ -112,6 +112,17 @@ class LiveRunner : public ::testing::Test {
     return events;
   }
 
+  /// Records 100 rows, then pauses; 300 more come during the pause.
+  void pauseWhileRowsCome() {
+    record();
+    robot_->send(100);
+    runner_->run();
+    ASSERT_TRUE(comesTo(0.1));
+    runner_->pause();
+    ASSERT_TRUE(runner_->waitUntilIdle(5.0));
+    robot_->send(300);
+  }
+
   const TemporaryFolder folder_;
   const std::shared_ptr<Robot> robot_ = std::make_shared<Robot>();
   std::unique_ptr<Runner> runner_;
@@ -119,13 +130,7 @@ class LiveRunner : public ::testing::Test {
 
 TEST_F(LiveRunner, ARecordingSaysThatItsSessionWasPaused) {
   begin(false);
-  record();
-  robot_->send(100);
-  runner_->run();
-  ASSERT_TRUE(comesTo(0.1));
-  runner_->pause();
-  ASSERT_TRUE(runner_->waitUntilIdle(5.0));
-  robot_->send(300);
+  ASSERT_NO_FATAL_FAILURE(pauseWhileRowsCome());
   for (int k = 0; k < 1000 && robot_->waits(); ++k) std::this_thread::sleep_for(5ms);
   ASSERT_FALSE(robot_->waits()) << "discarded";
   runner_->run();
@@ -138,13 +143,7 @@ TEST_F(LiveRunner, ARecordingSaysThatItsSessionWasPaused) {
 
 TEST_F(LiveRunner, APauseDiscardsNothingOfASenderThatWaits) {
   begin(true);
-  record();
-  robot_->send(100);
-  runner_->run();
-  ASSERT_TRUE(comesTo(0.1));
-  runner_->pause();
-  ASSERT_TRUE(runner_->waitUntilIdle(5.0));
-  robot_->send(300);
+  ASSERT_NO_FATAL_FAILURE(pauseWhileRowsCome());
   std::this_thread::sleep_for(100ms);
   EXPECT_TRUE(robot_->waits());
   runner_->run();
