@@ -31,10 +31,10 @@ struct InfoArguments {
   int size = 256;
 };
 
-const char* referenceOf(const recording::SessionHeader& header) {
-  return header.own_kinematics ? "the robot's own kinematics, no truth"
-         : header.reference    ? "joint encoders"
-                               : "none";
+/// A live session may expect joint encoders that never come.
+const char* referenceOf(const recording::SessionSummary& summary) {
+  if (summary.joint == 0) return summary.header.reference ? "none: no joint encoders came" : "none";
+  return summary.header.own_kinematics ? "the robot's own kinematics, no truth" : "joint encoders";
 }
 
 void infoSession(const std::string& file, const Output& output) {
@@ -49,7 +49,7 @@ void infoSession(const std::string& file, const Output& output) {
                       summary.events);
   if (summary.frames > 0) text += fmt::format("frames       {} × {} px\n", summary.width, summary.height);
   text += fmt::format("reference    {}\nregistered   {}\nsimulated    {}\nsize         {:.1f} MB\n",
-                      referenceOf(header), header.base_from_camera ? "yes" : "no",
+                      referenceOf(summary), header.base_from_camera ? "yes" : "no",
                       header.truth.empty() ? "no" : "yes", 1e-6 * static_cast<double>(summary.bytes));
   for (const auto& event : events)
     text += fmt::format("{:>10.3f} s  {}: {}\n", event.t, event.kind, event.text);
@@ -71,7 +71,7 @@ void infoSession(const std::string& file, const Output& output) {
                {"width", summary.width},
                {"height", summary.height},
                {"bytes", summary.bytes},
-               {"reference", header.reference},
+               {"reference", summary.joint > 0},
                {"own_kinematics", header.own_kinematics},
                {"registered", header.base_from_camera.has_value()},
                {"simulated", !header.truth.empty()},

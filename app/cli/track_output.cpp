@@ -78,11 +78,13 @@ nlohmann::json transmissionJson(const tracking::TransmissionEstimate& found) {
           {"camera_moved_probability", found.camera_moved_probability}};
 }
 
-}  // namespace
-
-const char* referenceOf(const tracking::SourceInfo& info) {
+/// A live session may expect joint encoders that never come.
+const char* referenceOf(const TrackReport& report, const tracking::SourceInfo& info) {
+  if (report.errors.ukf().count() == 0) return "none";
   return info.own_kinematics ? "own kinematics" : info.reference ? "joint encoders" : "none";
 }
+
+}  // namespace
 
 std::optional<NisVerdict> nisVerdict(const TrackReport& report) {
   if (std::isnan(report.nisMean())) return std::nullopt;
@@ -92,9 +94,10 @@ std::optional<NisVerdict> nisVerdict(const TrackReport& report) {
 
 std::string textOf(const TrackReport& report, const tracking::SourceInfo& info, double seconds) {
   std::string text;
-  if (info.own_kinematics)
+  const bool own = info.own_kinematics && report.errors.ukf().count() > 0;
+  if (own)
     text += "reference: the robot's own kinematics, no truth; these are differences from it, not errors\n\n";
-  text += report.errors.text(info.own_kinematics ? "RMS diff." : "RMS error");
+  text += report.errors.text(own ? "RMS diff." : "RMS error");
   const double span = report.last_t - report.first_t;
   text += fmt::format("\nmotor samples  {} over {:.3f} s\n", report.motor_samples, span);
   text += fmt::format("camera samples {} ({} pairs of images)\n", report.camera_samples, report.frames);
@@ -146,7 +149,7 @@ nlohmann::json jsonOf(const TrackReport& report, const tracking::SourceInfo& inf
           {"rays", report.rays},
           {"ray_nis", report.rayNisMean()},
           {"transmission", transmissionJson(report.transmission)},
-          {"reference", referenceOf(info)},
+          {"reference", referenceOf(report, info)},
           {"samples", report.motor_samples},
           {"camera_samples", report.camera_samples},
           {"frames", report.frames},

@@ -20,9 +20,6 @@
 
 namespace capstan::cli {
 
-/// Reference of a recording's errors: "joint encoders", "own kinematics" (not a true reference) or "none".
-const char* referenceOf(const tracking::SourceInfo& info);
-
 /// Test of the filter's consistency: the mean NIS of accepted camera samples by its degrees of freedom, and
 /// its 95 % band.
 struct NisVerdict {

@@ -263,7 +263,7 @@ CameraSide::Clock::time_point CameraSide::onComputer(std::int64_t stamp) {
   constexpr std::chrono::milliseconds kStep{100};
   const Nanoseconds since = std::chrono::system_clock::now().time_since_epoch() -
                             std::chrono::round<Nanoseconds>(Clock::now().time_since_epoch());
-  if (since - computer_since_ > kStep || computer_since_ - since > kStep) ++computer_steps_;
+  if (computer_since_) computer_steps_ += std::chrono::abs(since - *computer_since_) > kStep;
   computer_since_ = since;
   return Clock::time_point(std::chrono::round<Clock::duration>(Nanoseconds(stamp) - since));
 }
@@ -275,11 +275,10 @@ std::optional<double> CameraSide::observeExposure(const FramePair& pair) {
   using By = tracking::SideStatus::Times;
   using Verdict = ClockAgreement::Verdict;
   if (files_) return status_.times = By::kFile, pair.t;
-  status_.times = By::kArrivals;
   const Clock::time_point arrival = computerTime(pair.t);
   const std::optional<double> by_arrival = session_.at(arrival);
   const std::optional<std::int64_t> stamp = clock_.stampOf(pair.t);
-  if (!stamp || !by_arrival) return by_arrival;
+  if (!stamp || !by_arrival) return status_.times = By::kArrivals, by_arrival;
   const Clock::time_point on_computer = onComputer(*stamp);
   const double late = std::chrono::duration<double>(arrival - on_computer).count();
   const Verdict computer = with_computer_.add(late, clock_.steps() + computer_steps_, *by_arrival);
@@ -289,10 +288,11 @@ std::optional<double> CameraSide::observeExposure(const FramePair& pair) {
     motors = with_motors_.add(*by_arrival - *by_stamp, clock_.steps(), *by_arrival);
   else
     with_motors_.forget();
-  if (motors == Verdict::kDiffer && computer == Verdict::kDiffer) return by_arrival;
-  status_.times = By::kStamps;
-  if (motors == Verdict::kAgree) return by_stamp;
-  if (computer == Verdict::kAgree) return session_.at(on_computer);
+  if (motors == Verdict::kAgree) return status_.times = By::kStamps, by_stamp;
+  if (computer == Verdict::kAgree) return status_.times = By::kStamps, session_.at(on_computer);
+  if (motors == Verdict::kDiffer && computer == Verdict::kDiffer)
+    return status_.times = By::kArrivals, by_arrival;
+  ++status_.undated;
   return std::nullopt;
 }
 

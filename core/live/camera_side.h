@@ -103,9 +103,10 @@ class CameraSide {
   std::array<std::string, 2> reasons_;              ///< why nothing comes from a stream; empty: not known
   std::array<std::optional<Backlog>, 2> backlogs_;  ///< of network streams
   ImageClock clock_;
-  ClockAgreement with_motors_, with_computer_;  ///< of the stamps of the images
-  std::chrono::nanoseconds computer_since_{0};  ///< beginning of this computer's steady clock since 1970
-  int computer_steps_ = 0;                      ///< of this computer's time
+  ClockAgreement with_motors_, with_computer_;              ///< of the stamps of the images
+  std::optional<std::chrono::nanoseconds> computer_since_;  ///< beginning of this computer's steady clock
+                                                            ///< since 1970; none: no stamp so far
+  int computer_steps_ = 0;                                  ///< of this computer's time
   const Clock::time_point start_ = Clock::now();
 
   std::vector<std::thread> threads_;

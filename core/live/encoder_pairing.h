@@ -3,22 +3,27 @@
 #include <chrono>
 #include <cstdint>
 #include <deque>
+#include <limits>
 #include <optional>
 #include <utility>
 
 #include "core/tracking/sample.h"
+#include "core/tracking/source.h"
 
 namespace capstan::live {
 
 /// Joins joint encoders, which come as messages of their own, to the motors of their stamp. Stamps of one
 /// cycle agree within kSameTime: encoders of another time would be a reference that is late or early by up to
-/// a cycle, and are not used.
+/// a cycle, and are not used. A clock of encoders that steps back, as that of a bag that is played again,
+/// begins anew.
 class EncoderPairing {
  public:
   using Clock = std::chrono::steady_clock;
-  static constexpr double kSameTime = 2e-4;              ///< [s]
-  static constexpr std::chrono::milliseconds kWait{20};  ///< of motors for their encoders
-  static constexpr std::size_t kMost = 4000;             ///< encoders that wait for motors: 4 s of 1 kHz
+  static constexpr double kSameTime = 2e-4;                      ///< [s]
+  static constexpr auto kWait = tracking::EncoderStatus::kWait;  ///< of motors for their encoders
+  static constexpr std::size_t kMost = 4000;    ///< encoders that wait for motors: 4 s of 1 kHz
+  static constexpr double kLate = 1.0;          ///< encoders that are behind by more are of another clock [s]
+  static constexpr std::uint64_t kInTurn = 50;  ///< so many without a match are no accident
 
   struct Row {
     Clock::time_point arrival;
@@ -31,6 +36,12 @@ class EncoderPairing {
 
   void addMotors(Row row) { rows_.push_back(std::move(row)); }
   void addEncoders(const tracking::JointSample& joints) {
+    if (joints.t < newest_encoders_ - kSameTime) joints_.clear(), newest_row_ = kNever;
+    newest_encoders_ = joints.t;
+    if (joints.t < newest_row_ + kSameTime && joints.t > newest_row_ - kLate) {  // its row has gone
+      ++status_.late, ++late_in_turn_;
+      return;
+    }
     joints_.push_back({joints, false});
     if (joints_.size() > kMost) dropOldest();
   }
@@ -39,25 +50,34 @@ class EncoderPairing {
     if (rows_.empty() || !isComplete(rows_.front(), now)) return false;
     row = std::move(rows_.front());
     rows_.pop_front();
-    const double t = row.motors.t;
+    const double t = newest_row_ = row.motors.t;
     while (!joints_.empty() && joints_.front().sample.t < t - kSameTime) dropOldest();
     if (!joints_.empty() && joints_.front().sample.t < t + kSameTime) {
       row.joints = joints_.front().sample;
       joints_.front().used = true;
+      unmatched_in_turn_ = late_in_turn_ = 0;
     }
-    unmatched_ += std::exchange(passed_over_, false) && !row.joints;
+    if (std::exchange(passed_over_, false) && !row.joints) ++status_.unmatched, ++unmatched_in_turn_;
     return true;
   }
   bool empty() const { return rows_.empty(); }
-  /// Rows without encoders before which encoders came that belong to no row: the stamps of the two do not
-  /// agree. Topics of different rates, and messages that are lost, do not count.
-  std::uint64_t unmatched() const { return unmatched_; }
+  /// Unmatched are rows without encoders before which encoders came that belong to no row: the stamps of the
+  /// two do not agree. Topics of different rates, and messages that are lost, do not count.
+  tracking::EncoderStatus status() const {
+    using State = tracking::EncoderStatus::State;
+    tracking::EncoderStatus status = status_;
+    if (late_in_turn_ >= kInTurn) status.state = State::kLate;
+    if (unmatched_in_turn_ >= kInTurn) status.state = State::kOtherStamps;
+    return status;
+  }
 
  private:
   struct Encoders {
     tracking::JointSample sample;
     bool used = false;
   };
+
+  static constexpr double kNever = -std::numeric_limits<double>::infinity();
 
   bool isComplete(const Row& row, Clock::time_point now) const {
     return !awaited_ || (!joints_.empty() && joints_.back().sample.t > row.motors.t - kSameTime) ||
@@ -72,7 +92,9 @@ class EncoderPairing {
   std::deque<Row> rows_;
   std::deque<Encoders> joints_;
   bool passed_over_ = false;  ///< encoders that belong to no row, since the last row
-  std::uint64_t unmatched_ = 0;
+  double newest_row_ = kNever, newest_encoders_ = kNever;   ///< taken, and come [s]
+  tracking::EncoderStatus status_;                          ///< its counts
+  std::uint64_t unmatched_in_turn_ = 0, late_in_turn_ = 0;  ///< since the last match
 };
 
 }  // namespace capstan::live

@@ -38,6 +38,9 @@ LiveSource::LiveSource(const LiveSetup& setup) : queue_(kCapacity) {
   info_.real_time = true;
   info_.sender_waits = piped;
   std::unique_ptr<RowInput> input;
+  // Messages of motors carry joints only where the robot has computed them from its motors.
+  info_.own_kinematics =
+      info_.reference && address.kind == Address::Kind::kRos && setup.motors.encoders.empty();
   if (address.kind == Address::Kind::kRos)
     input = std::make_unique<RosRows>(setup.motors, info_.robot);
   else
@@ -108,7 +111,7 @@ bool LiveSource::timeIsUp() const {
 
 void LiveSource::discard() {
   taken_.reset();
-  queue_.clear();
+  info_.sender_waits ? queue_.clearFrames() : queue_.clear();
 }
 
 bool LiveSource::next(tracking::Sample& out) {

@@ -15,7 +15,7 @@ class PauseWatch {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// `sender_waits`: nothing is discarded during a pause.
+  /// `sender_waits`: no row is discarded during a pause.
   explicit PauseWatch(bool sender_waits = false) : sender_waits_(sender_waits) {}
 
   /// A sentence, or nothing. `t`: time of the newest sample [s]; the session runs again with the first sample
@@ -26,7 +26,8 @@ class PauseWatch {
     if (paused) {
       if (!paused_at_) since_ = now, paused_at_ = t;
       if (std::exchange(said_, true)) return {};
-      return sender_waits_ ? "paused: the sender waits" : "paused: samples that come are discarded";
+      return sender_waits_ ? "paused: the sender of the rows waits, images are discarded"
+                           : "paused: samples that come are discarded";
     }
     if (!paused_at_ || t == *paused_at_) return {};
     paused_at_.reset();

@@ -16,7 +16,10 @@ constexpr double kFastest = 60.0;   ///< rate of image pairs for which kLeastTim
 recording::RecorderOptions recorderOptionsFor(const tracking::SourceInfo& info, const RunStatus& status) {
   recording::RecorderOptions options;
   const double pace = std::max(1.0, status.speed);
-  const double frames = std::max(1.0 / tracking::trackingOptionsOf(info).camera_period, status.frame_rate);
+  const bool not_yet_known = info.real_time && info.rig && status.frame_rate == 0.0;
+  const double frames =
+      not_yet_known ? kFastest
+                    : std::max(1.0 / tracking::trackingOptionsOf(info).camera_period, status.frame_rate);
   options.frame_rate = std::min(pace * frames, kFastest);
   options.motor_rate = pace * std::max(options.motor_rate, status.motor_rate);
   options.buffered_time =

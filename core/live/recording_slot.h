@@ -21,8 +21,7 @@ namespace capstan::live {
 
 /// Holder of the recorder to which the pipeline's thread writes, if any. Notes as events what changes at the
 /// sides of a live source, whether its cameras are used, and its pauses; also how these are when a recording
-/// begins. Former recorders are closed in the
-/// background.
+/// begins. Former recorders are closed in the background.
 class RecordingSlot {
  public:
   /// Estimates of motor samples are reduced to `estimate_rate` [1/s of recording]. `sender_waits`: of the
@@ -35,14 +34,18 @@ class RecordingSlot {
     recorder_->close();
   }
 
+  /// newest() is this recorder from now on, which begin() will get. Any thread may call it.
+  void announce(std::shared_ptr<recording::Recorder> recorder) {
+    const std::lock_guard lock(mutex_);
+    newest_ = std::move(recorder);
+  }
+
   // The pipeline's thread.
   void begin(std::shared_ptr<recording::Recorder> recorder) {
     end();
     recorder_ = std::move(recorder);
     estimates_.restart();
     sides_.restate(), gate_.restate(), pauses_.restate();
-    const std::lock_guard lock(mutex_);
-    newest_ = recorder_;
   }
   void end() {
     if (!recorder_) return;

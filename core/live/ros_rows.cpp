@@ -77,8 +77,9 @@ void RosRows::takeMotors(const ros1::TopicMessage& message) {
     const ros1::RavenState state = raven_->read(message.bytes);
     if (state.stamp == 0) return;  // no valid state
     const double t = timeOf(state.stamp);
-    pairing_.addMotors({message.arrival, ros1::motorOf(state, software_, choice_.arm, t),
-                        ros1::jointOf(state, choice_.arm, t)});
+    // Where encoders come, the robot's own kinematics must not stand in for one that is missing.
+    const auto own = encoders_ ? std::nullopt : std::optional(ros1::jointOf(state, choice_.arm, t));
+    pairing_.addMotors({message.arrival, ros1::motorOf(state, software_, choice_.arm, t), own});
     return;
   }
   if (message.type != "sensor_msgs/JointState")

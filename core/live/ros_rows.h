@@ -31,7 +31,7 @@ class RosRows final : public RowInput {
   LostMessages lost() const override {
     return {motors_.lost(), encoders_ ? encoders_->lost() : std::uint64_t{0}};
   }
-  std::uint64_t unmatched() const override { return pairing_.unmatched(); }
+  tracking::EncoderStatus encoders() const override { return pairing_.status(); }
   std::optional<std::int64_t> rosStampOfZero() const override {
     return origin_ == 0 ? std::nullopt : std::optional(origin_);
   }

@@ -37,8 +37,8 @@ class RowInput {
   virtual LostMessages lost() const { return {}; }
   /// Rows excluded so far, since their connection ended within them.
   virtual std::uint64_t incomplete() const { return 0; }
-  /// Rows so far whose joint encoders came with another stamp, and were excluded.
-  virtual std::uint64_t unmatched() const { return 0; }
+  /// Joint encoders of messages of their own.
+  virtual tracking::EncoderStatus encoders() const { return {}; }
   /// Stamp of the ROS clock at time 0 of the rows [ns]; nothing: their times are of another clock.
   virtual std::optional<std::int64_t> rosStampOfZero() const { return {}; }
 };

@@ -181,10 +181,11 @@ void RowSide::deliver(recording::MeasuredTable table, double arrival) {
     first_known_ = true;
     first_.set_value({!table.q.empty(), table.t.front(), recording::noticesOf(table)});
   }
+  held_up_ = faults_ == Faults::kEnd;
   recording::RowSamples rows;
   for (tracking::Sample sample; rows.next(table, sample);) {
     if (faults_ == Faults::kEnd)
-      held_up_ = true, queue_.wait(std::move(sample)), held_up_ = false;
+      queue_.wait(std::move(sample));
     else if (!queue_.offer(std::move(sample)))
       ++dropped;
   }
@@ -207,8 +208,9 @@ void RowSide::deliver(recording::MeasuredTable table, double arrival) {
   status_.repeated = times_.repeated();
   status_.missing = gaps_.missing();
   status_.gaps = gaps_.silences(), status_.last_gap = gaps_.lastSilence();
-  status_.unmatched = input_->unmatched();
+  status_.encoders = input_->encoders();
   last_arrival_ = faults_ == Faults::kEnd ? now() : arrival;  // they may have waited for room
+  held_up_ = false;
   if (faults_ == Faults::kEnd) return;
   status_.clock = tracking::SideClock{
       times_.steps(), times_.lastStep(),         clock_.offset(),   clock_.offsetUncertainty(),

@@ -157,6 +157,7 @@ class Runner::Impl {
   void startRecording(const std::filesystem::path& path, const recording::SessionHeader& header,
                       const recording::RecorderOptions& options) {
     auto recorder = std::make_shared<recording::Recorder>(path, in_use_.of(header), options);
+    recording_.announce(recorder);
     post([this, recorder] {
       recording_.begin(recorder);
       recording_.noteOcclusion(t_, blocking_, !info_.live);
@@ -263,7 +264,7 @@ class Runner::Impl {
   void rest() {
     if (info_.real_time) {
       if (mode_ == Mode::kPause) recording_.observePause();
-      if (begun_ && !info_.sender_waits) source_->discard();  // it is not tracked after the pause
+      if (begun_) source_->discard();  // it is not tracked after the pause
       publishStatus(false);
     }
     std::unique_lock lock(mutex_);

@@ -41,6 +41,13 @@ class SampleQueue {
     closed_ = true;
     come_.notify_all(), room_.notify_all();
   }
+  /// Discards the pairs of images.
+  void clearFrames() {
+    const std::lock_guard lock(mutex_);
+    std::erase_if(samples_, [](const Waiting& one) { return isFrame(one.sample); });
+    frames_ = 0;
+    room_.notify_all();
+  }
   void clear() {
     const std::lock_guard lock(mutex_);
     samples_.clear();

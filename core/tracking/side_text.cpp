@@ -11,6 +11,13 @@ std::string counted(std::uint64_t count, const std::string& one) {
   return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
 }
 
+/// The first seconds say nothing about a drift: a clock of a computer is within 1000 ppm.
+std::string driftText(const SideClock& clock) {
+  constexpr double kKnown = 1e-3;
+  if (clock.drift_sigma > kKnown) return "drift not known yet";
+  return fmt::format("drift {:.2f} ± {:.2f} ppm", 1e6 * clock.drift, 1e6 * clock.drift_sigma);
+}
+
 }  // namespace
 
 std::string stateOf(const SideStatus& side, const std::string& how_long) {
@@ -42,17 +49,30 @@ std::string shortTextOf(const SideStatus& side) {
     case State::kReceiving:
       break;
   }
-  std::string text = unmatchedText(side);
+  std::string text = encodersText(side);
   if (text.empty() && side.dropped > 0) text = fmt::format("{}: {} dropped", side.name, side.dropped);
   return text;
 }
 
-std::string unmatchedText(const SideStatus& side) {
-  if (side.unmatched < SideStatus::kManyUnmatched) return {};
-  return fmt::format(
-      "{}: joint encoders are not used, their stamps differ from those of the motors: publish both with the "
-      "stamp of one cycle, or leave out encoders in the live set-up",
-      side.name);
+std::string encodersText(const SideStatus& side) {
+  using Encoders = EncoderStatus::State;
+  switch (side.encoders.state) {
+    case Encoders::kOtherStamps:
+      return fmt::format(
+          "{}: joint encoders are not used, their stamps differ from those of the motors: publish both with "
+          "the "
+          "stamp of one cycle, or leave out encoders in the live set-up",
+          side.name);
+    case Encoders::kLate:
+      return fmt::format(
+          "{}: joint encoders are not used, they come later than their motors by more than {} ms: publish "
+          "both "
+          "in one cycle, or leave out encoders in the live set-up",
+          side.name, EncoderStatus::kWait.count());
+    case Encoders::kUsed:
+      break;
+  }
+  return {};
 }
 
 std::string outdatedText(const std::vector<SideStatus>& sides, const std::string& camera) {
@@ -72,10 +92,9 @@ std::string textOf(const SideStatus& side) {
                   base::nameOf(side.state), side.from, counted(side.received, side.counted), side.missing,
                   side.repeated, side.dropped, counted(side.connections, "connection"));
   if (const auto& clock = side.clock)
-    text +=
-        fmt::format("; {}; clock offset {:.6f} ± {:.6f} s, drift {:.2f} ± {:.2f} ppm, mean delay {:.2f} ms",
-                    counted(clock->steps, "clock step"), clock->offset, clock->offset_sigma,
-                    1e6 * clock->drift, 1e6 * clock->drift_sigma, 1e3 * clock->mean_delay);
+    text += fmt::format("; {}; clock offset {:.6f} ± {:.6f} s, {}, mean delay {:.2f} ms",
+                        counted(clock->steps, "clock step"), clock->offset, clock->offset_sigma,
+                        driftText(*clock), 1e3 * clock->mean_delay);
   if (side.latency)
     text += fmt::format("; arrival to estimate {:.2f} ms, 99 % within {:.2f} ms", 1e3 * side.latency->median,
                         1e3 * side.latency->p99);
@@ -85,8 +104,11 @@ std::string textOf(const SideStatus& side) {
   if (side.gaps > 0)
     text += fmt::format("; {} in the times, the last of {:.1f} s", counted(side.gaps, "gap"), side.last_gap);
   if (side.incomplete > 0) text += fmt::format("; {} incomplete", counted(side.incomplete, side.counted));
-  if (side.unmatched > 0)
-    text += fmt::format("; joint encoders of {} unmatched", counted(side.unmatched, "row"));
+  if (side.undated > 0) text += fmt::format("; {} of clocks not yet known", counted(side.undated, "pair"));
+  if (side.encoders.unmatched > 0)
+    text += fmt::format("; joint encoders of {} unmatched", counted(side.encoders.unmatched, "row"));
+  if (side.encoders.late > 0)
+    text += fmt::format("; joint encoders {} too late", counted(side.encoders.late, "time"));
   if (side.refused > 0) text += fmt::format("; {} refused", side.refused);
   if (!side.fault.empty()) text += "; last fault: " + side.fault;
   if (!side.reason.empty()) text += "; nothing comes: " + side.reason;

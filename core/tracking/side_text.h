@@ -17,7 +17,7 @@ std::string stateOf(const SideStatus& side, const std::string& how_long = {});
 std::string shortTextOf(const SideStatus& side);
 /// That joint encoders are not used since their stamps do not agree with those of the motors, and what to do;
 /// empty: they agree.
-std::string unmatchedText(const SideStatus& side);
+std::string encodersText(const SideStatus& side);
 /// State of a camera ("left", "right") from which no new image comes, "silent for 3 s"; empty: its newest
 /// image is of now, or none has come.
 std::string outdatedText(const std::vector<SideStatus>& sides, const std::string& camera);

@@ -29,7 +29,7 @@ std::string timesText(const SideStatus& side, std::optional<SideStatus::Times> b
 
 }  // namespace
 
-std::vector<std::string> SideWatch::observe(const std::vector<SideStatus>& sides) {
+std::vector<std::string> SideWatch::observe(const std::vector<SideStatus>& sides, Clock::time_point now) {
   std::vector<std::string> sentences;
   seen_.resize(sides.size());
   const bool restated = std::exchange(restate_, false);
@@ -49,10 +49,14 @@ std::vector<std::string> SideWatch::observe(const std::vector<SideStatus>& sides
       sentences.push_back(sentenceOf(side, seen.received > 0 ? seen.silent_for : 0.0, changed));
     if (side.clock && side.clock->steps > seen.steps)
       sentences.push_back(fmt::format("{}: clock stepped by {:+.3f} s", side.name, side.clock->last_step));
-    seen.other_times = side.times && side.times != seen.times ? seen.other_times + 1 : 0;
-    if (side.times && (seen.other_times == kLasting || restated)) {
+    if (side.times == seen.times)
+      seen.other_since.reset();
+    else if (!seen.other_since)
+      seen.other_since = now;
+    const bool lasting = seen.other_since && now - *seen.other_since >= kLasting;
+    if (side.times && (lasting || restated)) {
       sentences.push_back(timesText(side, restated ? std::nullopt : seen.times));
-      seen.times = side.times, seen.other_times = 0;
+      seen.times = side.times, seen.other_since.reset();
     }
     // The end of a silence that was said is no news.
     if (side.gaps > seen.gaps && seen.state == State::kReceiving && side.state == State::kReceiving)
@@ -62,9 +66,10 @@ std::vector<std::string> SideWatch::observe(const std::vector<SideStatus>& sides
     if (side.incomplete > seen.incomplete)
       sentences.push_back(side.name + ": the last row was incomplete, and is excluded");
     seen.incomplete = side.incomplete;
-    const std::string unmatched = unmatchedText(side);
-    if (!unmatched.empty() && (unmatched != seen.unmatched || restated)) sentences.push_back(unmatched);
-    seen.unmatched = unmatched;
+    const std::string encoders = encodersText(side);
+    if (encoders != seen.encoders || (restated && !encoders.empty()))
+      sentences.push_back(encoders.empty() ? side.name + ": joint encoders are used" : encoders);
+    seen.encoders = encoders;
     seen.silent_for = side.state == State::kReceiving ? 0.0 : std::max(seen.silent_for, side.silent_for);
     seen.state = side.state, seen.part = side.part, seen.received = side.received;
     seen.refused = side.refused, seen.fault = side.fault, seen.reason = side.reason;

@@ -51,6 +51,17 @@ struct SideLatency {
   double median = 0.0, p99 = 0.0;
 };
 
+/// Joint encoders that come as messages of their own.
+struct EncoderStatus {
+  enum class State { kUsed, kOtherStamps, kLate };
+  State state =
+      State::kUsed;  ///< kOtherStamps, kLate: none of the newest ones could be used, for this reason
+  std::uint64_t unmatched = 0;  ///< rows whose encoders came with another stamp, and were excluded
+  /// Time for which a row waits for its encoders.
+  static constexpr std::chrono::milliseconds kWait{20};
+  std::uint64_t late = 0;  ///< encoders that came when the row of their stamp had not waited any longer
+};
+
 /// Condition of one side of a live source: its motors or its cameras.
 struct SideStatus {
   enum class State { kWaiting, kReceiving, kSilent, kFrozen, kRefused, kEnded };
@@ -71,10 +82,10 @@ struct SideStatus {
   std::uint64_t dropped = 0;      ///< excluded, since tracking was too slow
   std::uint64_t unpaired = 0;     ///< images excluded, since the other camera gave none at their time
   std::uint64_t frozen = 0;       ///< images that equal the one before; their pairs are excluded
-  std::uint64_t unmatched = 0;    ///< rows whose joint encoders came with another stamp, and were excluded
-  std::uint64_t incomplete = 0;   ///< rows excluded, since their connection ended within them
-  std::uint64_t gaps = 0;         ///< intervals above kSilence in the times of rows or pairs
-  double last_gap = 0.0;          ///< length of the newest of them [s]
+  std::uint64_t undated = 0;     ///< pairs of images excluded, while it was not known whose clock stamps them
+  std::uint64_t incomplete = 0;  ///< rows excluded, since their connection ended within them
+  std::uint64_t gaps = 0;        ///< intervals above kSilence in the times of rows or pairs
+  double last_gap = 0.0;         ///< length of the newest of them [s]
   std::uint64_t connections = 0;  ///< number of times that a program has connected
   std::uint64_t refused = 0;      ///< of them, disconnected for `fault`
   /// By what the times of images are known.
@@ -82,8 +93,7 @@ struct SideStatus {
   std::optional<Times> times;      ///< of the newest images; none: no image so far, or the side has no images
   std::optional<SideClock> clock;  ///< of a device that stamps its samples itself
   std::optional<SideLatency> latency;
-  /// So many unmatched rows are no accident.
-  static constexpr std::uint64_t kManyUnmatched = 50;
+  EncoderStatus encoders;
   /// Shown within 0.5 s, since views ask every 0.1 s [s].
   static constexpr double kSilence = 0.35;
 };

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "core/base/resource.h"
+#include "core/recording/session_file.h"
 #include "tests/support/folders.h"
 #include "tests/widgets/picture.h"
 #include "tests/widgets/shell_fixture.h"
@@ -97,6 +98,22 @@ TEST_F(Shell, OfTwoChoicesTheNewerIsOpenedUnderItsOwnName) {
   EXPECT_EQ(window->lastSource().simulation.duration, 222.0);
   EXPECT_TRUE(window->message().isEmpty()) << "what was taken back is not complained of";
   EXPECT_FALSE(window->link().opening());
+}
+
+TEST_F(Shell, TwoChoicesDuringARecordingEndItWhole) {
+  auto window = makeWindow();
+  window->open(atRest());
+  ASSERT_TRUE(opened(*window));
+  window->action("record")->trigger();
+  ASSERT_TRUE(waitFor([&] { return window->link().recording(); }));
+  const std::string recorded = window->link().runner()->status().recording;
+  window->open(atRest(111.0));
+  window->open(atRest(222.0));
+  ASSERT_TRUE(waitFor(
+      [&] { return window->link().runner()->info().duration == 222.0 && !window->link().opening(); }));
+  QTest::qWait(500);
+  EXPECT_TRUE(window->message().isEmpty()) << window->message().toStdString();
+  EXPECT_NO_THROW(recording::readSessionSummary(recorded));
 }
 
 TEST_F(Shell, ShowsACommandThatFailed) {

@@ -17,6 +17,7 @@
 #include "core/live/cameras/video_devices.h"
 #include "core/live/streams/address.h"
 #include "widgets/shell/address_box.h"
+#include "widgets/shell/live_fields.h"
 #include "widgets/shell/live_preview_view.h"
 #include "widgets/shell/live_topics.h"
 
@@ -25,33 +26,6 @@ namespace {
 
 constexpr const char* kAddress = "tcp://127.0.0.1:5555";
 constexpr double kPerSecond = 1e3;  // ms
-
-/// Meaning of a field, as its declaration states it.
-template <class Setup>
-QString meaningOf(std::string_view key) {
-  QString meaning;
-  Setup setup;
-  Setup::visit(setup, [&](auto&, const base::FieldInfo& info) {
-    if (info.key == key)
-      meaning = QString::fromUtf8(info.meaning.data(), static_cast<int>(info.meaning.size()));
-  });
-  return meaning;
-}
-
-template <class Setup, class Widget>
-void addField(QFormLayout* form, const QString& label, Widget* widget, const char* key) {
-  widget->setObjectName(key);
-  widget->setToolTip(meaningOf<Setup>(key));
-  form->addRow(label, widget);
-}
-
-QDoubleSpinBox* numberBox(const QString& suffix, double most, int decimals) {
-  auto* box = new QDoubleSpinBox;
-  box->setRange(0.0, most);
-  box->setDecimals(decimals);
-  box->setSuffix(suffix);
-  return box;
-}
 
 }  // namespace
 
@@ -160,12 +134,12 @@ QGroupBox* LiveDialog::makeCameras() {
   right_ = editableBox();
   addField<Cameras>(form, tr("Right"), right_, "right");
   size_ = editableBox();
-  addField<Cameras>(form, tr("Size"), size_, "size");
+  size_->setMinimumContentsLength(12);  // half a row
   size_->lineEdit()->setPlaceholderText(tr("the device's own"));
-  size_->setToolTip(tr("Width × height of each stream's images [px]; empty: as the device gives them"));
   rate_ = numberBox(tr(" frames/s"), 1000.0, 0);
   rate_->setSpecialValueText(tr("the device's own"));
-  addField<Cameras>(form, tr("Rate"), rate_, "rate");
+  addFields<Cameras>(form, tr("Size, rate"), size_, "size", rate_, "rate");
+  size_->setToolTip(tr("Width × height of each stream's images [px]; empty: as the device gives them"));
   calibration_ = addPath(form, tr("Calibration"), meaningOf<Cameras>("calibration"), "calibration");
   registration_ = addPath(form, tr("Registration"), meaningOf<Cameras>("registration"), "registration");
   registration_->setPlaceholderText(tr("none: register first"));
@@ -173,9 +147,8 @@ QGroupBox* LiveDialog::makeCameras() {
   marker_->setPlaceholderText(tr("green ball"));
   latency_ = numberBox(tr(" ms"), 2000.0, 1);
   latency_->setMinimum(-2000.0);  // a video file may begin after the first row
-  addField<Cameras>(form, tr("Latency"), latency_, "latency");
   pairing_ = numberBox(tr(" ms"), 1000.0, 1);
-  addField<Cameras>(form, tr("Pairing"), pairing_, "pairing");
+  addFields<Cameras>(form, tr("Latency, pairing"), latency_, "latency", pairing_, "pairing");
   return cameras_;
 }
 

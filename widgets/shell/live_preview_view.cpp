@@ -68,6 +68,7 @@ LivePreviewView::~LivePreviewView() = default;
 
 void LivePreviewView::start(const live::LiveSetup& setup) {
   preview_.reset();  // it may use the same port
+  cameras_ = setup.cameras.has_value();
   preview_ = std::make_unique<live::LivePreview>(setup);
   timer_.start();
   refresh();
@@ -83,8 +84,8 @@ void LivePreviewView::stop() {
 
 void LivePreviewView::refresh() {
   const live::LivePreviewState state = preview_->state();
-  showImage(*images_[0], state.left, tr("left: no images yet"));
-  showImage(*images_[1], state.right, tr("right: no images yet"));
+  showImage(*images_[0], state.left, cameras_ ? tr("left: no images yet") : tr("no cameras in this set-up"));
+  showImage(*images_[1], state.right, cameras_ ? tr("right: no images yet") : QString());
   for (std::size_t k = 0; k < 3; ++k) motors_[k]->setText(jointText(state, k));
   QStringList lines;
   for (const std::string& fault : state.faults) lines += QString::fromStdString(fault);

@@ -27,6 +27,7 @@ class LivePreviewView : public QWidget {
   void refresh();
 
   std::unique_ptr<live::LivePreview> preview_;
+  bool cameras_ = true;  ///< the set-up of preview_ has cameras
   QTimer timer_;
   std::array<QLabel*, 2> images_;
   std::array<QLabel*, 3> motors_;

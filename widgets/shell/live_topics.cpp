@@ -1,7 +1,9 @@
 #include "widgets/shell/live_topics.h"
 
+#include <QAbstractItemView>
 #include <QComboBox>
 #include <QLabel>
+#include <QScrollBar>
 #include <utility>
 
 #include "core/ros1/bag_topics.h"
@@ -25,6 +27,10 @@ void fill(QComboBox& box, const std::vector<ros1::TopicType>& topics, bool (*fit
       box.addItem(QObject::tr("%1 — %2").arg(address, one.type.c_str()), address);
     }
   box.setEditText(written);
+  // The list may be wider than its box: a topic is told from its neighbours by its end.
+  box.view()->setTextElideMode(Qt::ElideNone);
+  box.view()->setMinimumWidth(box.view()->sizeHintForColumn(0) +
+                              box.view()->verticalScrollBar()->sizeHint().width());
 }
 
 }  // namespace
@@ -59,8 +65,9 @@ void LiveTopics::show(const std::string& master, Topics topics) {
     label_->setText(tr("no ROS master at %1").arg(at));
     return;
   }
-  label_->setText(
-      tr("ROS master at %1: %n topic(s) published", nullptr, static_cast<int>(topics->size())).arg(at));
+  label_->setText(topics->size() == 1
+                      ? tr("ROS master at %1: 1 topic is published").arg(at)
+                      : tr("ROS master at %1: %2 topics are published").arg(at).arg(topics->size()));
   topics_ = std::move(*topics);
   refill();
 }

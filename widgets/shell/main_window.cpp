@@ -235,7 +235,7 @@ void MainWindow::askUnits(const recording::ImplausibleUnits& refused, const Sour
 void MainWindow::onOpened(const tracking::SourceInfo& info, const SourceChoice& choice) {
   choice_ = choice;
   bar_->sources().remember(choice_);
-  messages_->hide();  // an old fault is none of this source
+  if (messages_->about() != "recording") messages_->hide();  // an old fault is none of this source
   history_.clear();
   now_ = info.begin;
   title_ = titleOf(choice_, info.title);

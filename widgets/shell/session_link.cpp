@@ -29,6 +29,12 @@ bool isRecording(const live::Runner& runner) {
   return recorder && recorder->stats().state == recording::RecorderState::kRecording;
 }
 
+/// Error or gaps of a recording; empty if it is whole.
+std::string faultOf(const recording::RecorderStats& stats) {
+  if (!stats.error.empty()) return stats.error;
+  return stats.dropped > 0 ? recording::gapsText(stats.dropped) : std::string();
+}
+
 }  // namespace
 
 SessionLink::SessionLink(QObject* parent) : QObject(parent) {
@@ -42,7 +48,6 @@ SessionLink::SessionLink(QObject* parent) : QObject(parent) {
 SessionLink::~SessionLink() = default;
 
 void SessionLink::open(const SourceChoice& choice) {
-  recorded_when_left_ = recording();
   if (opening())
     waiting_ = choice;
   else
@@ -61,7 +66,8 @@ void SessionLink::take(std::unique_ptr<tracking::Source> source) {
 void SessionLink::begin(std::unique_ptr<live::Runner> runner, const std::optional<SourceChoice>& choice) {
   again_ = runner_ && choice && choice == running_by_;
   running_by_ = choice;
-  retire(std::move(runner_));
+  const bool recorded = std::exchange(told_recording_, false) || recording();
+  retire(std::move(runner_), recorded);
   runner_ = std::move(runner);
   listeners_.clear();
   last_state_ = live::RunState::kPaused;
@@ -84,14 +90,14 @@ bool SessionLink::useRobot(const robot::Description& robot, const RobotWords& wo
   return true;
 }
 
-/// Ends a runner in the background; hearRetired() reports errors of its recording.
-void SessionLink::retire(std::unique_ptr<live::Runner> runner) {
+/// Ends a runner in the background. `end_untold`: status() has not told the end of its recording, whose fault
+/// hearRetired() reports.
+void SessionLink::retire(std::unique_ptr<live::Runner> runner, bool end_untold) {
   if (!runner) return;
-  const bool recording = std::exchange(recorded_when_left_, false) || isRecording(*runner);
-  retiring_.push_back(std::async(std::launch::async, [old = std::move(runner), recording]() mutable {
+  retiring_.push_back(std::async(std::launch::async, [old = std::move(runner), end_untold]() mutable {
     const auto recorder = old->recorder();
     old.reset();
-    return recording ? recorder->stats().error : std::string();
+    return end_untold ? faultOf(recorder->stats()) : std::string();
   }));
 }
 
@@ -104,14 +110,14 @@ void SessionLink::hearRetired() {
   });
   for (const std::string& fault : faults)
     if (!fault.empty())
-      Q_EMIT failed(tr("The recording of the session before failed: %1").arg(QString::fromStdString(fault)));
+      Q_EMIT failed(tr("Recording of the session before: %1").arg(QString::fromStdString(fault)));
 }
 
 void SessionLink::finishOpening() {
   try {
     auto runner = opening_.get();
     if (waiting_)
-      retire(std::move(runner));
+      retire(std::move(runner), false);  // it has not run
     else
       begin(std::move(runner), choice_);
   } catch (const recording::ImplausibleUnits& refused) {
@@ -175,6 +181,7 @@ void SessionLink::toggleRecording(const QString& folder) {
     runner_->startRecording(file.toStdString(),
                             recording::headerOf(runner_->info(), now.toString(Qt::ISODate).toStdString()),
                             live::recorderOptionsFor(runner_->info(), runner_->status()));
+    tellStatus(runner_->status());  // a fault of the first moment is one of a recording that was shown
   } catch (const base::InputError& error) {
     Q_EMIT failed(QString::fromStdString(error.what()));
   }
@@ -183,6 +190,11 @@ void SessionLink::toggleRecording(const QString& folder) {
 /// Images are shown as they come: cameras of 30 frames per second would beat with the ticks.
 void SessionLink::lookForFrames() {
   if (runner_ && runner_->takeFrames(frame_, &seen_)) Q_EMIT frames(frame_, seen_);
+}
+
+void SessionLink::tellStatus(const live::RunStatus& now) {
+  told_recording_ = now.recorder && now.recorder->state == recording::RecorderState::kRecording;
+  Q_EMIT status(now);
 }
 
 void SessionLink::tick() {
@@ -201,7 +213,7 @@ void SessionLink::tick() {
   if (now.command_fault_count != std::exchange(command_faults_, now.command_fault_count))
     Q_EMIT failed(QString::fromStdString(now.command_fault));
   lookForFrames();  // who compares the newest image with the status has the newest one
-  Q_EMIT status(now);
+  tellStatus(now);
   if (++ticks_ % kReportTicks == 0) Q_EMIT report(runner_->report());
 }
 

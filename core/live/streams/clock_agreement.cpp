@@ -8,10 +8,10 @@ namespace capstan::live {
 
 ClockAgreement::Verdict ClockAgreement::add(double lateness, int steps, double t) {
   if (std::exchange(steps_, steps) != steps) pairs_ = 0, latest_ = kLatest;
+  if (lateness > kEarliest && lateness < kLatest) latest_ = kLatest;
   if (pairs_ == kPairs && follows(lateness, t)) return Verdict::kAgree;
   followed_ = lateness, followed_t_ = t;
   if (lateness > kEarliest && lateness < latest_) {
-    if (lateness < kLatest) latest_ = kLatest;
     pairs_ = std::min(pairs_ + 1, kPairs);
     decided_ = true;
     return Verdict::kAgree;

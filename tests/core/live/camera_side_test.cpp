@@ -246,6 +246,8 @@ class NetworkCameras : public ::testing::Test {
     return cameras_->status().state == state;
   }
 
+  void expectTimesByStamps(std::chrono::duration<double> least);
+
   using State = tracking::SideStatus::State;
   ImageServer server_{"127.0.0.1", 0};
   SampleQueue queue_{1000};
@@ -253,15 +255,17 @@ class NetworkCameras : public ::testing::Test {
   std::optional<CameraSide> cameras_;
 };
 
-/// Images that come late, each by another time, with the stamps of this computer's clock.
-TEST_F(NetworkCameras, StampsAreTheTimes) {
+/// Images that come late, each by `least` and up to 80 ms more, with the stamps of this computer's clock.
+void NetworkCameras::expectTimesByStamps(std::chrono::duration<double> least) {
   std::mt19937 random(3);
-  std::uniform_real_distribution<double> late(0.01, 0.09);
+  std::uniform_real_distribution<double> late(0.0, 0.08);
   std::vector<double> exposures;
   for (int k = 0, frames = 0; frames < 20; ++k) {
     ASSERT_LT(k, 300);
-    exposures.push_back(std::chrono::duration<double>(CameraSide::Clock::now() - start_).count());
-    const std::chrono::nanoseconds since = std::chrono::system_clock::now().time_since_epoch();
+    const auto seconds = std::chrono::duration<double>(CameraSide::Clock::now() - start_) - least;
+    exposures.push_back(seconds.count());
+    const std::chrono::nanoseconds since = std::chrono::system_clock::now().time_since_epoch() -
+                                           std::chrono::round<std::chrono::nanoseconds>(least);
     std::this_thread::sleep_for(std::chrono::duration<double>(late(random)));
     server_.publish(newImage(), newImage(), since.count());
     if (!queue_.ready(100ms)) continue;
@@ -270,12 +274,35 @@ TEST_F(NetworkCameras, StampsAreTheTimes) {
     const auto& frame = std::get<tracking::StereoFrame>(sample);
     const auto nearest =
         std::ranges::min_element(exposures, {}, [&](double t) { return std::abs(t - frame.t); });
-    EXPECT_NEAR(frame.t, *nearest, 1e-3) << "the arrivals are 10 to 90 ms later";
-    EXPECT_GT(frame.t_arrival - frame.t, 0.009);
+    EXPECT_NEAR(frame.t, *nearest, 1e-3) << "the arrivals are later by up to 80 ms more";
+    EXPECT_GT(frame.t_arrival - frame.t, least.count() - 1e-3);
     EXPECT_EQ(frame.skew, 0.0);
     ++frames;
   }
-  EXPECT_EQ(cameras_->status().unpaired, 0U);
+  EXPECT_EQ(cameras_->status().unpaired + cameras_->status().undated, 0U);
+}
+
+TEST_F(NetworkCameras, StampsAreTheTimes) { expectTimesByStamps(10ms); }
+TEST_F(NetworkCameras, StampsAreTheTimesOfImagesThatAreLateFromTheFirstOne) { expectTimesByStamps(500ms); }
+
+/// The clock of the cameras is ahead: until that is known, no image has a time.
+TEST_F(NetworkCameras, StampsOfAClockThatIsAheadAreNotTheTimes) {
+  int frames = 0;
+  for (int k = 0; k < 300 && frames < 5; ++k) {
+    const std::chrono::nanoseconds ahead = std::chrono::system_clock::now().time_since_epoch() + 1s;
+    server_.publish(newImage(), newImage(), ahead.count());
+    std::this_thread::sleep_for(33ms);
+    const bool dated = cameras_->status().times.has_value();
+    EXPECT_TRUE(!dated || frames > 0 || queue_.ready(0ms)) << "none has a time";
+    for (tracking::Sample sample; queue_.ready(0ms); ++frames) {
+      queue_.take(sample);
+      const auto& frame = std::get<tracking::StereoFrame>(sample);
+      EXPECT_NEAR(frame.t, frame.t_arrival, 0.2);
+    }
+  }
+  EXPECT_EQ(frames, 5);
+  EXPECT_EQ(cameras_->status().times, tracking::SideStatus::Times::kArrivals);
+  EXPECT_GT(cameras_->status().undated, 10U);
 }
 
 /// A relay sends the images of a second at once when the session begins, and after a silence.

@@ -6,9 +6,12 @@
 namespace capstan::live {
 namespace {
 
+using State = tracking::EncoderStatus::State;
+
 struct Joined {
   int rows = 0, with_encoders = 0;
-  std::uint64_t unmatched = 0;
+  std::uint64_t unmatched = 0, late = 0;
+  tracking::EncoderStatus::State state{};
 };
 
 /// A second of motors each `motor` ms and encoders each `encoder` ms, whose stamps are late by `late` s.
@@ -29,7 +32,8 @@ Joined joined(int motor, int encoder, double late, bool (*gone)(int) = nullptr) 
       EXPECT_EQ(row.joints->position[0], row.motors.t);
     }
   }
-  all.unmatched = pairing.unmatched();
+  all.unmatched = pairing.status().unmatched, all.late = pairing.status().late;
+  all.state = pairing.status().state;
   return all;
 }
 
@@ -56,8 +60,61 @@ TEST(EncoderPairing, CountsRowsWhoseEncodersAreOutOfPhase) {
     EXPECT_EQ(apart.rows, 1000);
     EXPECT_EQ(apart.with_encoders, 0);
     EXPECT_GE(apart.unmatched, 990U);
+    EXPECT_EQ(apart.late, 0U);
+    EXPECT_EQ(apart.state, State::kOtherStamps);
     EXPECT_GE(joined(1, 10, late).unmatched, 99U);
   }
+}
+
+/// A second of both at 1 kHz with one stamp a cycle, whose encoders arrive `delay` ms after their motors.
+Joined delayed(int (*delay)(int)) {
+  EncoderPairing pairing(true);
+  const EncoderPairing::Clock::time_point start{};
+  Joined all;
+  int sent = 0;
+  for (int k = 0; k < 1100; ++k) {
+    const auto now = start + std::chrono::milliseconds(k);
+    if (k < 1000) pairing.addMotors({now, {1e-3 * k, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, {}});
+    for (; sent < 1000 && sent + delay(sent) <= k; ++sent) pairing.addEncoders({1e-3 * sent, {0, 0, 0}});
+    for (EncoderPairing::Row row; pairing.take(now, row);) {
+      ++all.rows;
+      all.with_encoders += row.joints.has_value();
+      if (k == 999) all.state = pairing.status().state;
+    }
+  }
+  all.unmatched = pairing.status().unmatched, all.late = pairing.status().late;
+  return all;
+}
+
+TEST(EncoderPairing, LateEncodersAreNotTakenForOtherStamps) {
+  EXPECT_EQ(delayed([](int) { return 15; }).with_encoders, 1000);
+  const Joined late = delayed([](int) { return 30; });
+  EXPECT_EQ(late.rows, 1000);
+  EXPECT_EQ(late.with_encoders, 0);
+  EXPECT_EQ(late.late, 1000U);
+  EXPECT_EQ(late.unmatched, 0U);
+  EXPECT_EQ(late.state, State::kLate);
+}
+
+TEST(EncoderPairing, AHiccupNowAndThenIsForgotten) {
+  const Joined all = delayed([](int k) { return k % 100 < 90 ? 0 : 30; });
+  EXPECT_GT(all.late, 50U);
+  EXPECT_GT(all.with_encoders, 500);
+  EXPECT_EQ(all.state, State::kUsed);
+}
+
+TEST(EncoderPairing, AClockThatStepsBackBeginsAnew) {
+  EncoderPairing pairing(true);
+  const EncoderPairing::Clock::time_point now{};
+  int with_encoders = 0;
+  for (const double begin : {100.0, 0.0})
+    for (int k = 0; k < 100; ++k) {
+      pairing.addEncoders({begin + 1e-3 * k, {0, 0, 0}});
+      pairing.addMotors({now, {begin + 1e-3 * k, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, {}});
+      for (EncoderPairing::Row row; pairing.take(now, row);) with_encoders += row.joints.has_value();
+    }
+  EXPECT_EQ(with_encoders, 200);
+  EXPECT_EQ(pairing.status().late + pairing.status().unmatched, 0U);
 }
 
 TEST(EncoderPairing, HoldsABoundedNumberOfEncodersAndCountsOnWhereTheirClockIsAhead) {
@@ -73,12 +130,12 @@ TEST(EncoderPairing, HoldsABoundedNumberOfEncodersAndCountsOnWhereTheirClockIsAh
   for (int k = 0; k < kMost + 500; ++k) pairing.addEncoders({1e-3 * k, {0, 0, 0}});
   EXPECT_FALSE(haveEncoders(0.499)) << "the oldest are gone";
   EXPECT_TRUE(haveEncoders(0.500));
-  EXPECT_EQ(pairing.unmatched(), 1U);
+  EXPECT_EQ(pairing.status().unmatched, 1U);
   for (int k = 0; k < kMost + 100; ++k) {
     pairing.addEncoders({1000.0 + 1e-3 * k, {0, 0, 0}});
     EXPECT_FALSE(haveEncoders(5.0 + 1e-3 * k));
   }
-  EXPECT_GE(pairing.unmatched(), 100U) << "a clock that is ahead by 1000 s";
+  EXPECT_GE(pairing.status().unmatched, 100U) << "a clock that is ahead by 1000 s";
 }
 
 }  // namespace

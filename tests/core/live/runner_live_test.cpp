@@ -149,8 +149,9 @@ TEST_F(LiveRunner, APauseDiscardsNothingOfASenderThatWaits) {
   runner_->run();
   ASSERT_TRUE(comesTo(0.4));
   EXPECT_EQ(runner_->report().motor_samples, 400U);
-  EXPECT_THAT(eventsAfterwards(), ElementsAre("0.100 session: paused: the sender waits",
-                                              MatchesRegex("0.101 session: running again after [0-9.]+ s")));
+  EXPECT_THAT(eventsAfterwards(),
+              ElementsAre("0.100 session: paused: the sender of the rows waits, images are discarded",
+                          MatchesRegex("0.101 session: running again after [0-9.]+ s")));
 }
 
 /// Cameras that were silent, and a pause, since before the recording began.

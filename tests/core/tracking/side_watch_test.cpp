@@ -15,12 +15,14 @@ class SideWatchTest : public ::testing::Test {
   Sentences observe(State state, double silent_for = 0.0) {
     side_.state = state, side_.silent_for = silent_for;
     side_.received += state == State::kReceiving;
-    return watch_.observe({side_});
+    now_ += std::chrono::milliseconds(100);
+    return watch_.observe({side_}, now_);
   }
   SideWatchTest() { side_.name = "motors", side_.from = "tcp://127.0.0.1:5555"; }
 
   SideStatus side_;
   SideWatch watch_;
+  SideWatch::Clock::time_point now_{};
 };
 
 TEST_F(SideWatchTest, SaysEachChangeOnce) {
@@ -94,7 +96,7 @@ TEST_F(SideWatchTest, SaysByWhatImagesAreDated) {
     return all;
   };
   EXPECT_EQ(saidOf(Times::kStamps, 20), Sentences{"cameras: times of the images by stamps"});
-  EXPECT_EQ(saidOf(Times::kArrivals, SideWatch::kLasting - 1), Sentences{}) << "for a moment";
+  EXPECT_EQ(saidOf(Times::kArrivals, 5), Sentences{}) << "for a moment";
   EXPECT_EQ(saidOf(Times::kStamps, 20), Sentences{});
   EXPECT_EQ(saidOf(Times::kArrivals, 20),
             Sentences{"cameras: times of the images by arrivals, no longer by stamps"});
@@ -115,15 +117,17 @@ TEST_F(SideWatchTest, SaysAGapInTheTimesThatNoSilenceHasAnnounced) {
 
 TEST_F(SideWatchTest, SaysOnceThatEncodersDoNotMatch) {
   observe(State::kReceiving);
-  side_.unmatched = 3;
+  side_.encoders.unmatched = 3;
   EXPECT_EQ(observe(State::kReceiving), Sentences{}) << "some messages were lost";
-  side_.unmatched = 50;
+  side_.encoders.state = EncoderStatus::State::kOtherStamps;
   const Sentences said = observe(State::kReceiving);
   ASSERT_EQ(said.size(), 1U);
   EXPECT_NE(said[0].find("publish both with the stamp of one cycle"), std::string::npos) << said[0];
   EXPECT_EQ(shortTextOf(side_), said[0]) << "also in the status line";
-  side_.unmatched = 1000;
+  side_.encoders.unmatched = 1000;
   EXPECT_EQ(observe(State::kReceiving), Sentences{});
+  side_.encoders.state = EncoderStatus::State::kUsed;
+  EXPECT_EQ(observe(State::kReceiving), Sentences{"motors: joint encoders are used"});
 }
 
 TEST_F(SideWatchTest, NamesTheCameraAndTheStepOfAClock) {
