@@ -18,7 +18,7 @@ recording::RecorderOptions recorderOptionsFor(const tracking::SourceInfo& info, 
   const double pace = std::max(1.0, status.speed);
   const bool not_yet_known = info.real_time && info.rig && status.frame_rate == 0.0;
   const double frames =
-      not_yet_known ? kFastest
+      not_yet_known ? kLeastTime * kFastest / options.buffered_time
                     : std::max(1.0 / tracking::trackingOptionsOf(info).camera_period, status.frame_rate);
   options.frame_rate = std::min(pace * frames, kFastest);
   options.motor_rate = pace * std::max(options.motor_rate, status.motor_rate);

@@ -12,6 +12,7 @@
 
 #include "core/recording/checkpointer.h"
 #include "core/recording/disk_space.h"
+#include "core/recording/image_block.h"
 #include "core/recording/record_queue.h"
 #include "core/recording/recording_space.h"
 #include "core/recording/session_writer.h"
@@ -53,12 +54,7 @@ class Recorder::Impl {
             slots(3.0 * options.motor_rate + 4.0 * options.frame_rate, std::max(2.0, options.buffered_time))),
         frames_(slots(options.frame_rate, std::max(2.0, options.buffered_time))),
         checkpointer_(path, logThreshold(path, options)) {
-    frames_.prepare([&](FrameSlot& slot) {
-      for (cv::Mat& image : slot.image) {
-        image.create(options.height, options.width, CV_8UC3);
-        image.setTo(0);
-      }
-    });
+    prepareFrames();
     if (options.max_bytes > 0) {
       const auto page = static_cast<std::uint64_t>(writer_.database().number("PRAGMA page_size"));
       writer_.database().run(fmt::format("PRAGMA max_page_count = {}", options.max_bytes / page));
@@ -123,6 +119,16 @@ class Recorder::Impl {
   const std::filesystem::path& path() const { return path_; }
 
  private:
+  void prepareFrames() {
+    std::size_t images = 0;
+    frames_.prepare([&](FrameSlot& slot) { images += slot.image.size(); });
+    image_block_ =
+        std::make_unique<ImageBlock>(images * ImageBlock::bytesOf(options_.width, options_.height));
+    frames_.prepare([&](FrameSlot& slot) {
+      for (cv::Mat& image : slot.image) image = image_block_->take(options_.width, options_.height);
+    });
+  }
+
   Record* nextSlot() { return recording_.load(std::memory_order_relaxed) ? records_.back() : nullptr; }
   Record* open() {
     Record* slot = nextSlot();
@@ -347,6 +353,7 @@ class Recorder::Impl {
   const std::uint64_t reserve_;
   SessionWriter writer_;
   SpscRing<Record> records_;
+  std::unique_ptr<ImageBlock> image_block_;  ///< memory of frames_
   SpscRing<FrameSlot> frames_;
   Checkpointer checkpointer_;
   std::atomic<std::int64_t> seq_{1};

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <fstream>
 #include <limits>
 #include <memory>
 #include <set>
@@ -202,12 +203,22 @@ std::string contradictionOf(const Recovery& recovery, const std::filesystem::pat
   return recovery.lost_header.empty() ? "" : "entries of the header are missing";
 }
 
+/// Page size of a session, for one whose header is damaged: where pages are small, the second one begins with
+/// the type of a page of a table or index, at a place that else is in the middle of the first page.
+std::uint32_t likelyPageSize(const std::filesystem::path& session) {
+  std::ifstream file(session, std::ios::binary);
+  file.seekg(kFormerPageSize);
+  const int type = file.get();
+  const bool small = type == 2 || type == 5 || type == 10 || type == 13;
+  return small ? kFormerPageSize : kPageSize;
+}
+
 }  // namespace
 
 Recovery recoverSession(const std::filesystem::path& from, const std::filesystem::path& to,
                         const RecoverOptions& options, base::Progress* progress) {
   Recovery recovery;
-  SqlitePages pages(from, kPageSize);
+  SqlitePages pages(from, likelyPageSize(from));
   checkFiles(from, to, pages);
   if (progress) progress->report(0.0, "verifying");
   recovery.fault = faultOf(from, progress);

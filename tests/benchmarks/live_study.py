@@ -9,7 +9,8 @@ ros      the same as ROS topics (needs rosmaster), then the master is killed and
 window   the same as ros in the window (live_window), which records: needs xvfb-run, too
 streams  images relayed by two ffmpeg processes (needs ffmpeg)
 file     rows over TCP, images of one side-by-side video file
-hd       rows over TCP and two network cameras of 1280 × 720 at 30 frames/s, recorded: processor time, lost samples
+hd       rows over TCP and two network cameras of 1280 × 720 at 30 frames/s, recorded: processor time, lost samples; their
+         JPEG images are made beforehand, as cameras make theirs on no processor of this computer (needs ffmpeg)
 faults   every fault of `play`: what is said and when, what the estimate does
 
 Every case prints the live estimates beside those of the recording tracked directly. Latency is the time from when a row
@@ -33,6 +34,8 @@ import threading
 import time
 
 import numpy as np
+
+import jpeg_cameras
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 LATENCY = 0.04  # of the simulated cameras, from exposure to arrival [s]
@@ -329,23 +332,37 @@ def in_the_window(lab):
     over_ros(lab, WindowSession)
 
 
+def jpeg_recording(lab):
+    """The recording as rows and JPEG images of both cameras."""
+    both, table = lab.folder / "both.mkv", lab.folder / "trial.csv"
+    lab.run("convert", lab.folder / "trial.capstan", both), lab.run("convert", lab.folder / "trial.capstan", table)
+    for eye, at in (("left", "0"), ("right", "iw/2")):
+        subprocess.run(["ffmpeg", "-loglevel", "error", "-i", both, "-vf", f"crop=iw/2:ih:{at}:0", "-q:v", "2",
+                        lab.folder / f"{eye}_%05d.jpg"], check=True)
+    header, *rows = table.read_bytes().splitlines(keepends=True)
+    images = lab.direct["camera"] != 0
+    return jpeg_cameras.Recording(lab.folder, lab.direct["t_cam"][images], lab.direct["t"][images],
+                                  [float(row.split(b",", 1)[0]) for row in rows], rows, header)
+
+
 def in_hd(lab):
     """rows over TCP, two network cameras of 1280 × 720, recorded"""
     port, images = free_port(), free_port()
+    recording = jpeg_recording(lab)
+    senders = jpeg_cameras.Senders(recording, images, port)
     session = RecordedSession(lab, network_setup(lab, port, images))
     started = time.time()
-    playing = play(lab, "--to", f"tcp://127.0.0.1:{port}", "--video", f"http://127.0.0.1:{images}")
-    player = os.wait4(playing.pid, 0)[2]
+    player = senders.go()
     spent = time.time() - started
     used = session.end()
-    result, sent = json.loads(session.report.read_text()), played(lab)
+    result = json.loads(session.report.read_text())
     for side in result["live"]:
         print(f"  {side['side']:8s} received {side['received']}, missing {side['missing']}, dropped {side['dropped']}, "
               f"unpaired {side['unpaired']}, frozen {side['frozen']}; arrival to estimate median "
               f"{1e3 * side['latency']['median']:.2f} ms, 99 % {1e3 * side['latency']['p99']:.2f} ms")
-    print(f"  rows sent {sent['sent']}, pairs sent {sent['images']['sent']}; recorded {result['written']} samples, "
+    print(f"  rows sent {len(recording.rows)}, pairs sent {len(recording.exposures)}; recorded {result['written']} samples, "
           f"{result['dropped'] + result['lost']} lost, {result['bytes'] / 1e6:.0f} MB")
-    print(f"  processor time: session {(used.ru_utime + used.ru_stime) / spent:.2f} cores (decoding, tracking, recording), player "
+    print(f"  processor time: session {(used.ru_utime + used.ru_stime) / spent:.2f} cores (decoding, tracking, recording), senders "
           f"{(player.ru_utime + player.ru_stime) / spent:.2f}; load average {os.getloadavg()[0]:.1f} on {os.cpu_count()} cores")
 
 
@@ -443,7 +460,7 @@ def one_fault(lab, session, sent, fault, of):
 
 CASES = {"rows": rows_only, "tcp": over_tcp, "ros": over_ros, "window": in_the_window, "streams": over_ffmpeg,
          "file": from_file, "hd": in_hd, "faults": faults}
-NEEDS = {"ros": ["rosmaster"], "window": ["rosmaster", "xvfb-run"], "streams": ["ffmpeg"]}
+NEEDS = {"ros": ["rosmaster"], "window": ["rosmaster", "xvfb-run"], "streams": ["ffmpeg"], "hd": ["ffmpeg"]}
 HD = 1.5  # pixels of 1280 × 720 for one of 640 × 480
 
 

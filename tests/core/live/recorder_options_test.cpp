@@ -25,6 +25,12 @@ TEST(RecorderOptions, HoldTwoSecondsOfASourceOfAnyRateAndSize) {
   status = {};
   info.tracking = "camera_period: 0.0166666\n";
   EXPECT_NEAR(recorderOptionsFor(info, status).frame_rate, 60.0, 1e-9) << "before the first picture";
+  info.tracking.clear();
+  info.real_time = true;
+  options = recorderOptionsFor(info, status);
+  EXPECT_NEAR(options.frame_rate * options.buffered_time, 120.0, 1e-9)
+      << "before the rate of cameras is known";
+  EXPECT_EQ(options.buffered_time, recording::RecorderOptions{}.buffered_time) << "rows need little room";
   info.rig.reset();
   EXPECT_EQ(recorderOptionsFor(info, status).width, 0) << "no memory for pictures that never come";
   EXPECT_FALSE(recorderOptionsFor(info, status).wait);

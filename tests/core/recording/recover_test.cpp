@@ -156,6 +156,21 @@ TEST(Recover, WithoutAFirstPageEveryRowIsSaved) {
   }
 }
 
+TEST(Recover, WithoutTheFirstPageOfAFormerSizeEveryRowIsSaved) {
+  const TemporaryFolder folder;
+  const auto path = sessionIn(folder);
+  const auto before = samplesOf(path);
+  Database(path, Database::Mode::kReadWrite)
+      .run(fmt::format("PRAGMA page_size = {}; VACUUM", kFormerPageSize));
+  std::string bytes = bytesOf(path);
+  std::fill_n(bytes.begin(), kFormerPageSize, '\x5a');
+  write(path, bytes);
+  const Recovery recovery = recoverSession(path, folder / "b.capstan");
+  EXPECT_TRUE(recovery.complete());
+  EXPECT_EQ(recovery.saved(), kRows + 1);
+  EXPECT_EQ(samplesOf(folder / "b.capstan"), before);
+}
+
 TEST(Recover, PagesOfAnotherSizeAreRead) {
   const TemporaryFolder folder;
   const auto path = sessionIn(folder);
