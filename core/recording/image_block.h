@@ -2,15 +2,17 @@
 
 #include <sys/mman.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <new>
 #include <opencv2/core/mat.hpp>
+#include <thread>
 
 namespace capstan::recording {
 
-/// Memory for images, from huge pages where the system has them: hundreds of megabytes are in place within a
-/// fraction of a second, where small pages take seconds, in which images would be lost.
+/// Memory for images, from huge pages where the system has them. A thread puts it in place, ahead of the
+/// images: hundreds of megabytes take up to seconds, in which images would be lost.
 class ImageBlock {
  public:
   explicit ImageBlock(std::size_t bytes) : bytes_(bytes) {
@@ -19,9 +21,10 @@ class ImageBlock {
     if (at == MAP_FAILED) throw std::bad_alloc();
     begin_ = static_cast<std::uint8_t*>(at);
     madvise(begin_, bytes, MADV_HUGEPAGE);  // a wish
-    for (std::size_t k = 0; k < bytes; k += kSmallPage) begin_[k] = 0;
+    populating_ = std::jthread([this](const std::stop_token& stop) { populate(stop); });
   }
   ~ImageBlock() {
+    populating_ = {};
     if (begin_) munmap(begin_, bytes_);
   }
   ImageBlock(const ImageBlock&) = delete;
@@ -38,10 +41,16 @@ class ImageBlock {
   }
 
  private:
-  static constexpr std::size_t kSmallPage = 4096;
+  /// Leaves the contents as they are. A system that cannot do it does so where an image is written.
+  void populate(const std::stop_token& stop) {
+    constexpr std::size_t kPart = std::size_t{8} << 20;
+    for (std::size_t at = 0; at < bytes_ && !stop.stop_requested(); at += kPart)
+      if (madvise(begin_ + at, std::min(kPart, bytes_ - at), MADV_POPULATE_WRITE) != 0) return;
+  }
 
   std::size_t bytes_, taken_ = 0;
   std::uint8_t* begin_ = nullptr;
+  std::jthread populating_;
 };
 
 }  // namespace capstan::recording

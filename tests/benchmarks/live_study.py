@@ -177,9 +177,10 @@ class RecordedSession:
         self.out.unlink(missing_ok=True)
         self.process = subprocess.Popen([lab.cli, "record", "--live", setup, "--out", self.out, "--json", self.report],
                                         stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
-        notices = Lines(self.process.stderr)
-        while not any("waiting for rows" in line for _, line in notices.lines) and self.process.poll() is None:
+        self.notices = Lines(self.process.stderr)
+        while not self.out.exists() and self.process.poll() is None:
             time.sleep(0.01)
+        time.sleep(1.0)  # the robot is started when the session is there
 
     def end(self):
         """Returns what the process used."""
@@ -350,6 +351,7 @@ def in_hd(lab):
     port, images = free_port(), free_port()
     recording = jpeg_recording(lab)
     senders = jpeg_cameras.Senders(recording, images, port)
+    os.sync()  # the disk is still writing what was prepared
     session = RecordedSession(lab, network_setup(lab, port, images))
     started = time.time()
     player = senders.go()
