@@ -34,18 +34,14 @@ class RecordingSlot {
     recorder_->close();
   }
 
-  /// newest() is this recorder from now on, which begin() will get. Any thread may call it.
-  void announce(std::shared_ptr<recording::Recorder> recorder) {
-    const std::lock_guard lock(mutex_);
-    newest_ = std::move(recorder);
-  }
-
   // The pipeline's thread.
   void begin(std::shared_ptr<recording::Recorder> recorder) {
     end();
     recorder_ = std::move(recorder);
     estimates_.restart();
     sides_.restate(), gate_.restate(), pauses_.restate();
+    const std::lock_guard lock(mutex_);
+    newest_ = recorder_;
   }
   void end() {
     if (!recorder_) return;

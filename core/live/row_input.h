@@ -7,6 +7,7 @@
 
 #include "core/live/streams/byte_stream.h"
 #include "core/recording/measured_table.h"
+#include "core/tracking/source.h"
 
 namespace capstan::live {
 

@@ -157,7 +157,6 @@ class Runner::Impl {
   void startRecording(const std::filesystem::path& path, const recording::SessionHeader& header,
                       const recording::RecorderOptions& options) {
     auto recorder = std::make_shared<recording::Recorder>(path, in_use_.of(header), options);
-    recording_.announce(recorder);
     post([this, recorder] {
       recording_.begin(recorder);
       recording_.noteOcclusion(t_, blocking_, !info_.live);

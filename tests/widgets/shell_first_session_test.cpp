@@ -126,9 +126,9 @@ void FirstSession::registerInSeveralPoses() {
   window_->activateWindow();
 }
 
-/// In real time: a loaded computer must not collect minutes of data while it fits the first ones.
+/// At twice its speed: a loaded computer must not collect minutes of data while it fits the first ones.
 void FirstSession::identify() {
-  for (int i = 0; i < 12 && window_->bar().speed() > 1.0; ++i) press(Qt::Key_BracketLeft);
+  for (int i = 0; i < 12 && window_->bar().speed() > 2.0; ++i) press(Qt::Key_BracketLeft);
   press(Qt::Key_I);
   IdentificationPanel& panel = window_->identification();
   ASSERT_EQ(panel.live().phase(), identification::LivePhase::kCollecting);
@@ -139,6 +139,7 @@ void FirstSession::identify() {
   };
   ASSERT_TRUE(waitLong([&] { return radius_known() && panel.live().shown().recorded > 25.0; }))
       << panel.words().toStdString();
+  std::printf("r_l1 is known after %.0f s of the session\n", panel.live().shown().recorded);
   picture("identification");
   press(Qt::Key_I);
   press(Qt::Key_Return, Qt::ControlModifier);

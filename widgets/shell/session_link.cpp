@@ -181,7 +181,6 @@ void SessionLink::toggleRecording(const QString& folder) {
     runner_->startRecording(file.toStdString(),
                             recording::headerOf(runner_->info(), now.toString(Qt::ISODate).toStdString()),
                             live::recorderOptionsFor(runner_->info(), runner_->status()));
-    tellStatus(runner_->status());  // a fault of the first moment is one of a recording that was shown
   } catch (const base::InputError& error) {
     Q_EMIT failed(QString::fromStdString(error.what()));
   }

@@ -75,7 +75,9 @@ class RobotSource final : public tracking::Source {
     out = tracking::MotorSample{t, {80, -86, -480}, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
     return true;
   }
-  void discard() override { robot_->discard(); }
+  void discard() override {
+    if (!info_.sender_waits) robot_->discard();  // as LiveSource, which keeps rows
+  }
   void block(bool, bool) override {}
   std::vector<tracking::SideStatus> sides() const override { return robot_->sides(); }
 
