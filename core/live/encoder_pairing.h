@@ -14,16 +14,17 @@ namespace capstan::live {
 
 /// Joins joint encoders, which come as messages of their own, to the motors of their stamp. Stamps of one
 /// cycle agree within kSameTime: encoders of another time would be a reference that is late or early by up to
-/// a cycle, and are not used. A clock of encoders that steps back, as that of a bag that is played again,
-/// begins anew.
+/// a cycle, and are not used. Pairing restarts where the stamps of encoders step back, as in a bag that is
+/// played again.
 class EncoderPairing {
  public:
   using Clock = std::chrono::steady_clock;
   static constexpr double kSameTime = 2e-4;                      ///< [s]
   static constexpr auto kWait = tracking::EncoderStatus::kWait;  ///< of motors for their encoders
-  static constexpr std::size_t kMost = 4000;    ///< encoders that wait for motors: 4 s of 1 kHz
-  static constexpr double kLate = 1.0;          ///< encoders that are behind by more are of another clock [s]
-  static constexpr std::uint64_t kInTurn = 50;  ///< so many without a match are no accident
+  static constexpr std::size_t kMost = 4000;  ///< encoders that wait for motors: 4 s of 1 kHz
+  static constexpr double kLate = 1.0;        ///< encoders that are behind by more are of another clock [s]
+  static constexpr std::uint64_t kInTurn =
+      50;  ///< rows or encoders without a match, one after another, that make a State
 
   struct Row {
     Clock::time_point arrival;

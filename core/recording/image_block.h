@@ -11,8 +11,8 @@
 
 namespace capstan::recording {
 
-/// Memory for images, from huge pages where the system has them. A thread puts it in place, ahead of the
-/// images: hundreds of megabytes take up to seconds, in which images would be lost.
+/// Memory for images, from huge pages where the system has them. A thread populates it ahead of the images:
+/// page faults of hundreds of megabytes take seconds, in which images would be lost.
 class ImageBlock {
  public:
   explicit ImageBlock(std::size_t bytes) : bytes_(bytes) {
@@ -20,7 +20,7 @@ class ImageBlock {
     void* const at = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     if (at == MAP_FAILED) throw std::bad_alloc();
     begin_ = static_cast<std::uint8_t*>(at);
-    madvise(begin_, bytes, MADV_HUGEPAGE);  // a wish
+    madvise(begin_, bytes, MADV_HUGEPAGE);  // the system may ignore it
     populating_ = std::jthread([this](const std::stop_token& stop) { populate(stop); });
   }
   ~ImageBlock() {
@@ -41,7 +41,7 @@ class ImageBlock {
   }
 
  private:
-  /// Leaves the contents as they are. A system that cannot do it does so where an image is written.
+  /// Does not change the contents. Where the system refuses it, pages are populated when images are written.
   void populate(const std::stop_token& stop) {
     constexpr std::size_t kPart = std::size_t{8} << 20;
     for (std::size_t at = 0; at < bytes_ && !stop.stop_requested(); at += kPart)

@@ -203,8 +203,8 @@ std::string contradictionOf(const Recovery& recovery, const std::filesystem::pat
   return recovery.lost_header.empty() ? "" : "entries of the header are missing";
 }
 
-/// Page size of a session, for one whose header is damaged: where pages are small, the second one begins with
-/// the type of a page of a table or index, at a place that else is in the middle of the first page.
+/// Page size of a session whose header may be damaged. The first byte of a page is its type. With the former
+/// size, the second page begins at kFormerPageSize; with the present one, that byte is inside the first page.
 std::uint32_t likelyPageSize(const std::filesystem::path& session) {
   std::ifstream file(session, std::ios::binary);
   file.seekg(kFormerPageSize);

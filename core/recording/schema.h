@@ -13,10 +13,11 @@
 namespace capstan::recording {
 
 inline constexpr std::int32_t kApplicationId = 0x43505354;  ///< "CPST"
-/// Of the database [bytes]. Images are written in fewer parts than with small pages, in half the time.
+/// Of the database [bytes]. With 8192 bytes, half of the writer's time for 2 × 720p at 30 frames/s was spent
+/// in the kernel, and samples were lost.
 inline constexpr int kPageSize = 32768;
-inline constexpr int kFormerPageSize =
-    8192;  ///< of sessions that were recorded by versions up to 0.1 [bytes]
+/// Of sessions of versions up to 0.2 [bytes].
+inline constexpr int kFormerPageSize = 8192;
 /// PRAGMA user_version. Version 1 had no check sums.
 inline constexpr std::int32_t kSchemaVersion = 2;
 inline constexpr std::string_view kCheckColumn = "crc";  ///< last column of each table, RowCheck

@@ -60,14 +60,12 @@ std::string encodersText(const SideStatus& side) {
     case Encoders::kOtherStamps:
       return fmt::format(
           "{}: joint encoders are not used, their stamps differ from those of the motors: publish both with "
-          "the "
-          "stamp of one cycle, or leave out encoders in the live set-up",
+          "the stamp of one cycle, or leave out encoders in the live set-up",
           side.name);
     case Encoders::kLate:
       return fmt::format(
           "{}: joint encoders are not used, they come later than their motors by more than {} ms: publish "
-          "both "
-          "in one cycle, or leave out encoders in the live set-up",
+          "both in one cycle, or leave out encoders in the live set-up",
           side.name, EncoderStatus::kWait.count());
     case Encoders::kUsed:
       break;
@@ -104,11 +102,12 @@ std::string textOf(const SideStatus& side) {
   if (side.gaps > 0)
     text += fmt::format("; {} in the times, the last of {:.1f} s", counted(side.gaps, "gap"), side.last_gap);
   if (side.incomplete > 0) text += fmt::format("; {} incomplete", counted(side.incomplete, side.counted));
-  if (side.undated > 0) text += fmt::format("; {} of clocks not yet known", counted(side.undated, "pair"));
+  if (side.undated > 0)
+    text += fmt::format("; {} excluded before their time was known", counted(side.undated, "pair"));
   if (side.encoders.unmatched > 0)
     text += fmt::format("; joint encoders of {} unmatched", counted(side.encoders.unmatched, "row"));
   if (side.encoders.late > 0)
-    text += fmt::format("; joint encoders {} too late", counted(side.encoders.late, "time"));
+    text += fmt::format("; {} of joint encoders too late", counted(side.encoders.late, "message"));
   if (side.refused > 0) text += fmt::format("; {} refused", side.refused);
   if (!side.fault.empty()) text += "; last fault: " + side.fault;
   if (!side.reason.empty()) text += "; nothing comes: " + side.reason;

@@ -15,8 +15,8 @@ bool needsAttention(const SideStatus& side);
 std::string stateOf(const SideStatus& side, const std::string& how_long = {});
 /// A few words for a status line, as "motors silent for 2.1 s"; empty while all is well.
 std::string shortTextOf(const SideStatus& side);
-/// That joint encoders are not used since their stamps do not agree with those of the motors, and what to do;
-/// empty: they agree.
+/// Why joint encoders are not used (their stamps differ from those of the motors, or they come too late), and
+/// the remedy; empty: they are used.
 std::string encodersText(const SideStatus& side);
 /// State of a camera ("left", "right") from which no new image comes, "silent for 3 s"; empty: its newest
 /// image is of now, or none has come.

@@ -54,12 +54,11 @@ struct SideLatency {
 /// Joint encoders that come as messages of their own.
 struct EncoderStatus {
   enum class State { kUsed, kOtherStamps, kLate };
-  State state =
-      State::kUsed;  ///< kOtherStamps, kLate: none of the newest ones could be used, for this reason
+  State state = State::kUsed;   ///< kOtherStamps, kLate: why none of the newest messages was used
   std::uint64_t unmatched = 0;  ///< rows whose encoders came with another stamp, and were excluded
+  std::uint64_t late = 0;       ///< messages that came more than kWait after the row of their stamp
   /// Time for which a row waits for its encoders.
   static constexpr std::chrono::milliseconds kWait{20};
-  std::uint64_t late = 0;  ///< encoders that came when the row of their stamp had not waited any longer
 };
 
 /// Condition of one side of a live source: its motors or its cameras.

@@ -137,11 +137,10 @@ void FirstSession::identify() {
     return std::any_of(rows.begin(), rows.end(),
                        [](const auto& row) { return row.name == "r_l1" && row.seen; });
   };
-  constexpr int kMinutes = 400000;  // [ms]: how much motion the radius needs depends on where it begins
-  ASSERT_TRUE(
-      QTest::qWaitFor([&] { return radius_known() && panel.live().shown().recorded > 25.0; }, kMinutes))
+  constexpr int kPatienceForMotion = 400000;  // [ms]: the motion that the radius needs depends on its start
+  ASSERT_TRUE(QTest::qWaitFor([&] { return radius_known() && panel.live().shown().recorded > 25.0; },
+                              kPatienceForMotion))
       << panel.words().toStdString();
-  std::printf("r_l1 is known after %.0f s of the session\n", panel.live().shown().recorded);
   picture("identification");
   press(Qt::Key_I);
   press(Qt::Key_Return, Qt::ControlModifier);

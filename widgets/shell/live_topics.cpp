@@ -27,7 +27,7 @@ void fill(QComboBox& box, const std::vector<ros1::TopicType>& topics, bool (*fit
       box.addItem(QObject::tr("%1 — %2").arg(address, one.type.c_str()), address);
     }
   box.setEditText(written);
-  // The list may be wider than its box: a topic is told from its neighbours by its end.
+  // The list may be wider than its box: topics often differ only at their end.
   box.view()->setTextElideMode(Qt::ElideNone);
   box.view()->setMinimumWidth(box.view()->sizeHintForColumn(0) +
                               box.view()->verticalScrollBar()->sizeHint().width());

@@ -66,7 +66,7 @@ void SessionLink::take(std::unique_ptr<tracking::Source> source) {
 void SessionLink::begin(std::unique_ptr<live::Runner> runner, const std::optional<SourceChoice>& choice) {
   again_ = runner_ && choice && choice == running_by_;
   running_by_ = choice;
-  const bool recorded = std::exchange(told_recording_, false) || recording();
+  const bool recorded = std::exchange(reported_recording_, false) || recording();
   retire(std::move(runner_), recorded);
   runner_ = std::move(runner);
   listeners_.clear();
@@ -90,14 +90,14 @@ bool SessionLink::useRobot(const robot::Description& robot, const RobotWords& wo
   return true;
 }
 
-/// Ends a runner in the background. `end_untold`: status() has not told the end of its recording, whose fault
-/// hearRetired() reports.
-void SessionLink::retire(std::unique_ptr<live::Runner> runner, bool end_untold) {
+/// Ends a runner in the background. `report_recording`: status() has not reported the end of its recording;
+/// hearRetired() then reports an error or gaps.
+void SessionLink::retire(std::unique_ptr<live::Runner> runner, bool report_recording) {
   if (!runner) return;
-  retiring_.push_back(std::async(std::launch::async, [old = std::move(runner), end_untold]() mutable {
+  retiring_.push_back(std::async(std::launch::async, [old = std::move(runner), report_recording]() mutable {
     const auto recorder = old->recorder();
     old.reset();
-    return end_untold ? faultOf(recorder->stats()) : std::string();
+    return report_recording ? faultOf(recorder->stats()) : std::string();
   }));
 }
 
@@ -191,8 +191,8 @@ void SessionLink::lookForFrames() {
   if (runner_ && runner_->takeFrames(frame_, &seen_)) Q_EMIT frames(frame_, seen_);
 }
 
-void SessionLink::tellStatus(const live::RunStatus& now) {
-  told_recording_ = now.recorder && now.recorder->state == recording::RecorderState::kRecording;
+void SessionLink::emitStatus(const live::RunStatus& now) {
+  reported_recording_ = now.recorder && now.recorder->state == recording::RecorderState::kRecording;
   Q_EMIT status(now);
 }
 
@@ -212,7 +212,7 @@ void SessionLink::tick() {
   if (now.command_fault_count != std::exchange(command_faults_, now.command_fault_count))
     Q_EMIT failed(QString::fromStdString(now.command_fault));
   lookForFrames();  // who compares the newest image with the status has the newest one
-  tellStatus(now);
+  emitStatus(now);
   if (++ticks_ % kReportTicks == 0) Q_EMIT report(runner_->report());
 }
 

@@ -70,14 +70,14 @@ class SessionLink : public QObject {
 
  private:
   void tick();
-  void tellStatus(const live::RunStatus& now);
+  void emitStatus(const live::RunStatus& now);
   void lookForFrames();
   void beginOpening(const SourceChoice& choice);
   void finishOpening();
   void refuse(const base::InputError& error);
   void offerRecovery(const std::string& file);
   void begin(std::unique_ptr<live::Runner> runner, const std::optional<SourceChoice>& choice);
-  void retire(std::unique_ptr<live::Runner> runner, bool end_untold);
+  void retire(std::unique_ptr<live::Runner> runner, bool report_recording);
   void hearRetired();
 
   QTimer timer_, frames_timer_;
@@ -88,7 +88,7 @@ class SessionLink : public QObject {
   bool again_ = false;
   RobotChoice robots_;
   std::vector<std::future<std::string>> retiring_;  ///< ending runners; result: error of the recording
-  bool told_recording_ = false;                     ///< by the last status(), runner_ was recording
+  bool reported_recording_ = false;                 ///< runner_ was recording at the last status()
   std::unique_ptr<live::Runner> runner_;
   std::map<const QObject*, live::Listener> listeners_;
   tracking::Snapshot snapshot_, seen_;

@@ -103,7 +103,7 @@ TEST(EncoderPairing, AHiccupNowAndThenIsForgotten) {
   EXPECT_EQ(all.state, State::kUsed);
 }
 
-TEST(EncoderPairing, AClockThatStepsBackBeginsAnew) {
+TEST(EncoderPairing, RestartsWhereStampsStepBack) {
   EncoderPairing pairing(true);
   const EncoderPairing::Clock::time_point now{};
   int with_encoders = 0;
