@@ -75,6 +75,7 @@ ExitCode record(const RecordArguments& arguments) {
                           stats.written, stats.dropped, stats.lost, 1e-6 * static_cast<double>(stats.bytes)));
   output.json({{"file", arguments.out},
                {"written", stats.written},
+               {"frames", stats.frames},
                {"dropped", stats.dropped},
                {"lost", stats.lost},
                {"bytes", stats.bytes},

@@ -35,8 +35,7 @@ std::string wordsOf(const recording::Recovery& recovery) {
                               lost.before);
   if (recovery.lost.size() > 1) text += fmt::format("rows lost    {} in all\n", recovery.lost_rows);
   if (recovery.pages.missing > 0)
-    text += fmt::format("cut off      the last {} KB of the file\n",
-                        recovery.pages.missing * recording::kPageSize / 1024);
+    text += fmt::format("cut off      the last {} KB of the file\n", recovery.pages.missing_bytes / 1024);
   for (const std::string& key : recovery.lost_header) text += fmt::format("header       lost: {}\n", key);
   if (!recovery.checked)
     text += "Rows without check sums (schema version 1): changed numbers in them are not noticed.\n";
@@ -63,7 +62,8 @@ nlohmann::json documentOf(const recording::Recovery& recovery, const RecoverArgu
           {"lost", lost},
           {"lost_rows", recovery.lost_rows},
           {"lost_header", recovery.lost_header},
-          {"missing_pages", recovery.pages.missing}};
+          {"missing_pages", recovery.pages.missing},
+          {"missing_bytes", recovery.pages.missing_bytes}};
 }
 
 ExitCode recover(const RecoverArguments& arguments) {
@@ -93,7 +93,7 @@ ExitCode recover(const RecoverArguments& arguments) {
 void addRecover(CLI::App& app, ExitCode& exit) {
   auto arguments = std::make_shared<RecoverArguments>();
   CLI::App* command =
-      app.add_subcommand("recover", "Save what is left of a damaged session file into a new one");
+      app.add_subcommand("recover", "Save the readable rows of a damaged session file into a new one");
   command->add_option("IN", arguments->in, "session file; it is not changed")->required();
   command->add_option("OUT", arguments->out, "session file to write")->required();
   command->add_option("--robot", arguments->robot, "robot file, for a session whose own is lost");

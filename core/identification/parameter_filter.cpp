@@ -136,8 +136,8 @@ ParameterFilter::Innovation ParameterFilter::update(const CameraObservation& see
   out.by_unknown = measurement.h;
   out.value = seen.tip - (centre + bend);
   out.covariance = seen.tip_covariance + state_noise;
-  const Eigen::Matrix3d whole = out.covariance + difference * difference.transpose();
-  out.nis = out.value.dot(whole.llt().solve(out.value));
+  out.whole_covariance = out.covariance + difference * difference.transpose();
+  out.nis = out.value.dot(out.whole_covariance.llt().solve(out.value));
   out.weight = out.nis > huber * huber ? huber / std::sqrt(out.nis) : 1.0;
   const estimation::Lower<3> root = (out.covariance / out.weight).llt().matrixL().toDenseMatrix();
   const Eigen::Vector3d y = out.value + measurement.h * filter_.mean();

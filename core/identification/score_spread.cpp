@@ -11,10 +11,9 @@ void ScoreSpread::add(double t, const ParameterFilter::Innovation& innovation,
   started_ = true;
   if (t - start_ >= block_) close(t);
   if (t - discrepancy_start_ >= discrepancy_memory_) closeDiscrepancy(t);
-  // The innovation is whitened with R in place of R + H P Hᵀ: the two are nearly equal once P is small, and
-  // earlier blocks have little information.
+  // With R alone, the first innovations, which are those of wrong parameters, would widen σ for minutes.
   const Eigen::Matrix3d inverse =
-      innovation.weight * innovation.covariance.llt().solve(Eigen::Matrix3d::Identity());
+      innovation.weight * innovation.whole_covariance.llt().solve(Eigen::Matrix3d::Identity());
   const auto& h = innovation.by_unknown;
   score_ += h.transpose() * inverse * innovation.value;
   block_information_ += h.transpose() * inverse * h;

@@ -1,10 +1,10 @@
 #include "core/live/camera_side.h"
 
 #include <algorithm>
+#include <exception>
 #include <span>
 #include <utility>
 
-#include "core/base/error.h"
 #include "core/live/cameras/http_images.h"
 #include "core/live/cameras/http_url.h"
 #include "core/live/streams/address.h"
@@ -106,7 +106,13 @@ void CameraSide::judge(tracking::SideStatus& status) const {
 
 void CameraSide::work(int stream) {
   const std::string& address = addresses_[static_cast<std::size_t>(stream)];
-  if (isRosTopic(address)) return workOnTopic(stream, rosTopicOf(address));
+  if (isRosTopic(address)) {
+    try {
+      return workOnTopic(stream, rosTopicOf(address));
+    } catch (const std::exception& error) {
+      return noteReason(stream, error.what());
+    }
+  }
   std::unique_ptr<VideoStream> video = std::move(first_[static_cast<std::size_t>(stream)]);
   while (!quit_) {
     try {
@@ -226,7 +232,7 @@ void CameraSide::workOnTopic(int stream, const std::string& topic) {
       const ros1::StampedImage image = ros1::imageOf(*message);
       noteConnections(stream, reader.connections() - std::exchange(connections, reader.connections()));
       take(stream, image.image, {image.stamp, message->arrival}, message->lost);
-    } catch (const base::InputError& error) {
+    } catch (const std::exception& error) {
       noteReason(stream, "ros:" + topic + ": " + error.what());
     }
   }
@@ -268,9 +274,9 @@ CameraSide::Clock::time_point CameraSide::onComputer(std::int64_t stamp) {
   return Clock::time_point(std::chrono::round<Clock::duration>(Nanoseconds(stamp) - since));
 }
 
-/// Time of a pair on the session's clock [s]; nothing while it is not known. Stamps tell it where they are by
-/// the clock of the motors' stamps or of this computer, and the arrivals only show whether the clocks agree:
-/// by them an image is later by its delay.
+/// Time of a pair on the session's clock [s]; nothing while it is not known. It is that of the stamps where
+/// they are by the clock of the motors' stamps or of this computer; the arrivals only show whether the clocks
+/// agree: by them an image is later by its delay.
 std::optional<double> CameraSide::observeExposure(const FramePair& pair) {
   using By = tracking::SideStatus::Times;
   using Verdict = ClockAgreement::Verdict;

@@ -24,9 +24,9 @@ void ImageClock::decide(double arrival) {
   if (!may_differ_ || !streams_[0].stamped || !streams_[1].stamped) return;
   const double t = streams_[0].newest;
   const bool apart = std::abs(streams_[0].map.toSession(t) - streams_[1].map.toSession(t)) > kApart;
-  if (!doubt_) doubt_ = arrival;
-  if (decided_ && apart == separate_) return void(doubt_ = arrival);
-  const bool lasting = arrival - *doubt_ >= kDecide;
+  if (!opposite_since_) opposite_since_ = arrival;
+  if (decided_ && apart == separate_) return void(opposite_since_ = arrival);
+  const bool lasting = arrival - *opposite_since_ >= kDecide;
   if (decided_ && !lasting) return;
   if (separate_ && !apart) {  // it has been of no clock
     common_.forget();
@@ -34,7 +34,7 @@ void ImageClock::decide(double arrival) {
       common_.add(streams_[k].newest, streams_[k].map.toSession(streams_[k].newest), k);
   }
   separate_ = apart;
-  if (lasting) decided_ = true, doubt_ = arrival;
+  if (lasting) decided_ = true, opposite_since_ = arrival;
 }
 
 double ImageClock::computerTime(double pairing_time) const {

@@ -52,7 +52,8 @@ class ImageClock {
   ClockMap common_;          ///< of the streams together
   std::int64_t origin_ = 0;  ///< first stamp [ns]; 0: none yet
   bool separate_ = false, decided_ = false;
-  std::optional<double> doubt_;  ///< arrival since which the maps have shown the opposite of separate_ [s]
+  std::optional<double>
+      opposite_since_;  ///< arrival since which the maps have shown the opposite of separate_ [s]
 };
 
 }  // namespace capstan::live

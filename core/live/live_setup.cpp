@@ -23,7 +23,25 @@ namespace {
   throw base::InputError({file, 0, field, value, reason, remedy});
 }
 
+void checkTopic(const std::string& file, const char* field, const std::string& value,
+                const std::string& topic) {
+  if (!topic.starts_with('/')) refuse(file, field, value, "is no name of a ROS topic", "Begin it with /");
+}
+
+void checkTopics(const LiveSetup& setup, const std::string& file) {
+  const auto check = [&](const char* field, const std::string& address) {
+    if (isRosTopic(address)) checkTopic(file, field, address, rosTopicOf(address));
+  };
+  check("motors.from", setup.motors.from);
+  if (!setup.motors.encoders.empty())
+    checkTopic(file, "motors.encoders", setup.motors.encoders, setup.motors.encoders);
+  if (!setup.cameras) return;
+  check("cameras.left", setup.cameras->left);
+  check("cameras.right", setup.cameras->right);
+}
+
 void checkRos(const LiveSetup& setup, const std::string& file) {
+  checkTopics(setup, file);
   if (!setup.motors.names.empty() && setup.motors.names.size() != 3)
     refuse(file, "motors.names", std::to_string(setup.motors.names.size()) + " names", "are not three",
            "Give the names of the three motors of the arm, or none");
@@ -45,8 +63,7 @@ void checkCommands(const CommandsSetup& commands, const std::string& file) {
                                                                {"commands.move_jp", &commands.move_jp},
                                                                {"commands.measured", &commands.measured}};
   for (const auto& [field, topic] : topics)
-    if (!topic->empty() && topic->front() != '/')
-      refuse(file, field, *topic, "is no name of a ROS topic", "Begin it with /");
+    if (!topic->empty()) checkTopic(file, field, *topic, *topic);
   if (!commands.names.empty() && commands.names.size() != 3)
     refuse(file, "commands.names", std::to_string(commands.names.size()) + " names", "are not three",
            "Give the names of the three joints of the arm, or none");

@@ -86,6 +86,7 @@ void LiveSource::readCameras(const CamerasSetup& setup) {
 std::vector<tracking::SideStatus> LiveSource::sides() const {
   std::vector<tracking::SideStatus> sides{rows_->status()};
   sides.front().latency = motor_latency_.latency();
+  if (!info_.sender_waits) sides.front().backlog = queue_.backlog();
   if (!cameras_) return sides;
   sides.push_back(cameras_->status());
   sides.back().latency = camera_latency_.latency();

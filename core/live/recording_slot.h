@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <chrono>
 #include <future>
 #include <memory>
 #include <mutex>
@@ -34,18 +35,25 @@ class RecordingSlot {
     recorder_->close();
   }
 
+  /// newest() is this recorder from now on, which begin() will get. Any thread may call it.
+  void announce(std::shared_ptr<recording::Recorder> recorder) {
+    const std::lock_guard lock(mutex_);
+    newest_ = std::move(recorder);
+  }
+
   // The pipeline's thread.
   void begin(std::shared_ptr<recording::Recorder> recorder) {
     end();
     recorder_ = std::move(recorder);
     estimates_.restart();
     sides_.restate(), gate_.restate(), pauses_.restate();
-    const std::lock_guard lock(mutex_);
-    newest_ = recorder_;
   }
   void end() {
     if (!recorder_) return;
     noteGaps();
+    std::erase_if(closing_, [](const std::future<void>& one) {
+      return one.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+    });
     closing_.push_back(
         std::async(std::launch::async, [recorder = std::move(recorder_)] { recorder->close(); }));
     recorder_ = nullptr;

@@ -1,6 +1,7 @@
 #include "core/live/ros_rows.h"
 
 #include <cmath>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/base/nan.h"
@@ -31,6 +32,7 @@ void dropEmpty(recording::TableColumns& columns) {
 
 RosRows::RosRows(const RowsSetup& setup, const robot::Description& robot)
     : topic_(rosTopicOf(setup.from)),
+      encoders_from_("ros:" + setup.encoders),
       choice_(choiceOf(setup)),
       software_(robot),
       motors_(topic_, kCapacity),
@@ -97,7 +99,7 @@ void RosRows::takeMotors(const ros1::TopicMessage& message) {
 void RosRows::takeEncoders(const ros1::TopicMessage& message) {
   const auto state = decoded<ros1::JointState>(message);
   const double t = timeOf(state.header.stamp != 0 ? state.header.stamp : ros1::rosTimeNow());
-  if (const auto joints = ros1::jointOf(state, t)) pairing_.addEncoders(*joints);
+  if (const auto joints = ros1::jointOf(state, t)) pairing_.addEncoders(*joints, message.arrival);
 }
 
 std::optional<recording::MeasuredTable> RosRows::take() {

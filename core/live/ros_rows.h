@@ -31,7 +31,11 @@ class RosRows final : public RowInput {
   LostMessages lost() const override {
     return {motors_.lost(), encoders_ ? encoders_->lost() : std::uint64_t{0}};
   }
-  tracking::EncoderStatus encoders() const override { return pairing_.status(); }
+  tracking::EncoderStatus encoders() const override {
+    tracking::EncoderStatus status = pairing_.status();
+    status.from = encoders_from_;
+    return status;
+  }
   std::optional<std::int64_t> rosStampOfZero() const override {
     return origin_ == 0 ? std::nullopt : std::optional(origin_);
   }
@@ -43,7 +47,7 @@ class RosRows final : public RowInput {
   void takeEncoders(const ros1::TopicMessage& message);
   double timeOf(std::int64_t stamp);
 
-  const std::string topic_;
+  const std::string topic_, encoders_from_;
   const ros1::MotorChoice choice_;
   const robot::RavenSoftware software_;
   ros1::TopicReader motors_;

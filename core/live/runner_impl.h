@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <deque>
+#include <functional>
+#include <memory>
 #include <mutex>
 #include <thread>
 #include <utility>
@@ -157,6 +160,7 @@ class Runner::Impl {
   void startRecording(const std::filesystem::path& path, const recording::SessionHeader& header,
                       const recording::RecorderOptions& options) {
     auto recorder = std::make_shared<recording::Recorder>(path, in_use_.of(header), options);
+    recording_.announce(recorder);
     post([this, recorder] {
       recording_.begin(recorder);
       recording_.noteOcclusion(t_, blocking_, !info_.live);
@@ -369,8 +373,7 @@ class Runner::Impl {
 
   // The pipeline's thread.
   Mode mode_ = Mode::kPause;
-  double speed_ = 1.0, step_end_ = 0.0;
-  double t_ = 0.0, motor_t_ = 0.0;
+  double speed_ = 1.0, step_end_ = 0.0, t_ = 0.0, motor_t_ = 0.0;
   PlottedSteps plotted_{RunnerOptions::kHistoryRate};
   bool quit_ = false, begun_ = false, fetched_ = false, camera_seen_ = false;
   tracking::Sample sample_;

@@ -55,6 +55,13 @@ class SampleQueue {
     room_.notify_all();
   }
 
+  /// Time since the oldest sample was offered [s]; 0: empty.
+  double backlog() const {
+    const std::lock_guard lock(mutex_);
+    if (samples_.empty()) return 0.0;
+    return std::chrono::duration<double>(Clock::now() - samples_.front().offered).count();
+  }
+
   /// Waits up to `wait` until take() returns at once.
   bool ready(std::chrono::milliseconds wait) {
     std::unique_lock lock(mutex_);
@@ -89,7 +96,7 @@ class SampleQueue {
 
   const std::size_t capacity_, frame_capacity_;
   std::size_t frames_ = 0;
-  std::mutex mutex_;
+  mutable std::mutex mutex_;
   std::condition_variable come_, room_;
   std::deque<Waiting> samples_;
   bool closed_ = false;

@@ -44,7 +44,7 @@ void checkRecordingFolder(const std::filesystem::path& folder) {
   }
   const DiskSpace space = diskSpaceAt(place);
   if (space.size > 0 && space.free < space.reserve)
-    refuse("is on a disk that is full but for its reserve of " + sizeText(space.reserve));
+    refuse("is on a disk of which only the reserve of " + sizeText(space.reserve) + " is free");
 }
 
 std::string sizeText(std::uint64_t bytes) {

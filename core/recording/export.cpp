@@ -109,7 +109,7 @@ struct Committed {
 void checkRoom(const std::filesystem::path& file) {
   const DiskSpace space = diskSpaceAt(file.parent_path());
   if (space.size > 0 && space.free < space.reserve)
-    throw SqliteError(SQLITE_FULL, "the disk is full but for its reserve of " + sizeText(space.reserve));
+    throw SqliteError(SQLITE_FULL, "on the disk only the reserve of " + sizeText(space.reserve) + " is free");
 }
 
 /// Writes all samples in transactions of 0.2 s of the recording. Throws SqliteError when the disk is full.

@@ -5,8 +5,12 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
+#include <memory>
 #include <new>
 #include <opencv2/core/mat.hpp>
+#include <stop_token>
+#include <system_error>
 #include <thread>
 
 namespace capstan::recording {
@@ -15,13 +19,17 @@ namespace capstan::recording {
 /// page faults of hundreds of megabytes take seconds, in which images would be lost.
 class ImageBlock {
  public:
+  /// Throws std::bad_alloc.
   explicit ImageBlock(std::size_t bytes) : bytes_(bytes) {
     if (bytes == 0) return;
     void* const at = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     if (at == MAP_FAILED) throw std::bad_alloc();
     begin_ = static_cast<std::uint8_t*>(at);
     madvise(begin_, bytes, MADV_HUGEPAGE);  // the system may ignore it
-    populating_ = std::jthread([this](const std::stop_token& stop) { populate(stop); });
+    try {
+      populating_ = std::jthread([this](const std::stop_token& stop) { populate(stop); });
+    } catch (const std::system_error&) {  // no thread can be started: images populate it
+    }
   }
   ~ImageBlock() {
     populating_ = {};
@@ -52,5 +60,8 @@ class ImageBlock {
   std::uint8_t* begin_ = nullptr;
   std::jthread populating_;
 };
+
+/// For the images of a session. Throws base::InputError that names it if the memory is not available.
+std::unique_ptr<ImageBlock> makeImageBlock(const std::filesystem::path& session, std::size_t bytes);
 
 }  // namespace capstan::recording

@@ -14,6 +14,7 @@
 #include "core/recording/disk_space.h"
 #include "core/recording/image_block.h"
 #include "core/recording/record_queue.h"
+#include "core/recording/recorder_text.h"
 #include "core/recording/recording_space.h"
 #include "core/recording/session_writer.h"
 #include "core/recording/spsc_ring.h"
@@ -27,17 +28,8 @@ double secondsBetween(Clock::time_point from, Clock::time_point to) {
   return std::chrono::duration<double>(to - from).count();
 }
 
-const char* const kFreeSpace = "Free space, or choose another folder, and start a new recording";
-
-std::string adviceFor(const SqliteError& error) {
-  switch (error.code()) {
-    case SQLITE_FULL:
-      return kFreeSpace;
-    case SQLITE_MISUSE:
-      return "Give both cameras one image size";
-    default:
-      return "Check the disk and its folder and start a new recording";
-  }
+std::size_t frameSlots(const RecorderOptions& options) {
+  return slots(options.frame_rate, std::max(2.0, options.buffered_time));
 }
 
 }  // namespace
@@ -49,12 +41,16 @@ class Recorder::Impl {
         options_(options),
         interval_(std::clamp(options.commit_interval, 0.01, 0.2)),
         reserve_(checkedReserve(path, options)),
+        images_(makeImageBlock(path, 2 * SpscRing<FrameSlot>::slotsFor(frameSlots(options)) *
+                                         ImageBlock::bytesOf(options.width, options.height))),
         writer_(path, header, SessionWriter::Durability::kFast),
         records_(
             slots(3.0 * options.motor_rate + 4.0 * options.frame_rate, std::max(2.0, options.buffered_time))),
-        frames_(slots(options.frame_rate, std::max(2.0, options.buffered_time))),
+        frames_(frameSlots(options)),
         checkpointer_(path, logThreshold(path, options)) {
-    prepareFrames();
+    frames_.prepare([&](FrameSlot& slot) {
+      for (cv::Mat& image : slot.image) image = images_->take(options_.width, options_.height);
+    });
     if (options.max_bytes > 0) {
       const auto page = static_cast<std::uint64_t>(writer_.database().number("PRAGMA page_size"));
       writer_.database().run(fmt::format("PRAGMA max_page_count = {}", options.max_bytes / page));
@@ -102,6 +98,8 @@ class Recorder::Impl {
     discardQueued();
     checkpointer_.stop();
     if (!finished_) finish();
+    frames_.prepare([](FrameSlot& slot) { slot.image = {}; });
+    images_.reset();  // stats() may be asked for long after the end
     const std::lock_guard lock(mutex_);
     if (stats_.state == RecorderState::kRecording) stats_.state = RecorderState::kClosed;
     stats_.log_bytes = 0;
@@ -113,29 +111,25 @@ class Recorder::Impl {
     now.queued = queued_.load(std::memory_order_relaxed);
     now.dropped = dropped_.load(std::memory_order_relaxed);
     now.dropped_frames = dropped_frames_.load(std::memory_order_relaxed);
+    if (now.state != RecorderState::kRecording) now.lost = lostNow();
     return now;
   }
 
   const std::filesystem::path& path() const { return path_; }
 
  private:
-  void prepareFrames() {
-    std::size_t images = 0;
-    frames_.prepare([&](FrameSlot& slot) { images += slot.image.size(); });
-    image_block_ =
-        std::make_unique<ImageBlock>(images * ImageBlock::bytesOf(options_.width, options_.height));
-    frames_.prepare([&](FrameSlot& slot) {
-      for (cv::Mat& image : slot.image) image = image_block_->take(options_.width, options_.height);
-    });
-  }
-
-  Record* nextSlot() { return recording_.load(std::memory_order_relaxed) ? records_.back() : nullptr; }
-  Record* open() {
-    Record* slot = nextSlot();
-    while (!slot && options_.wait && recording_.load(std::memory_order_relaxed)) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-      slot = nextSlot();
+  /// The next slot of `ring`; null: it is full, or recording has ended. Waits for it with options_.wait.
+  template <class T>
+  T* openIn(SpscRing<T>& ring) {
+    constexpr std::chrono::milliseconds kPeriod{1};
+    while (recording_.load(std::memory_order_relaxed)) {
+      if (T* slot = ring.back(); slot || !options_.wait) return slot;
+      std::this_thread::sleep_for(kPeriod);
     }
+    return nullptr;
+  }
+  Record* open() {
+    Record* slot = openIn(records_);
     if (!slot) dropped_.fetch_add(1, std::memory_order_relaxed);
     return slot;
   }
@@ -149,7 +143,7 @@ class Recorder::Impl {
   }
 
   bool offerFrame(const tracking::StereoFrame& frame) {
-    FrameSlot* images = frames_.back();
+    FrameSlot* images = openIn(frames_);
     Record* slot = images ? open() : nullptr;
     if (!slot) {
       if (!images) dropped_.fetch_add(1, std::memory_order_relaxed);
@@ -229,7 +223,7 @@ class Recorder::Impl {
     try {
       writer_.finish();
     } catch (const SqliteError& error) {
-      report(fmt::format("the file could not be closed: {}. {}. {}", error.what(), besideWords(),
+      report(fmt::format("the file could not be closed: {}. {}. {}", error.what(), besideText(path_),
                          adviceFor(error)));
     }
   }
@@ -264,14 +258,11 @@ class Recorder::Impl {
       stats_.encode_time = writer_.encodeSeconds() / static_cast<double>(writer_.images());
   }
 
+  /// After a fault. The rows count as lost.
   void discardQueued() {
     while (const Record* record = records_.front()) {
-      if (std::holds_alternative<FrameMark>(record->row)) {
-        frames_.pop();
-        dropped_frames_.fetch_add(1, std::memory_order_relaxed);
-      }
+      if (std::holds_alternative<FrameMark>(record->row)) frames_.pop();
       records_.pop();
-      dropped_.fetch_add(1, std::memory_order_relaxed);
     }
   }
 
@@ -294,8 +285,8 @@ class Recorder::Impl {
     recording_.store(false, std::memory_order_relaxed);
     while (!finished_ && records_.front()) commitQueued();
     if (!finished_)
-      fail("recording stopped: the disk is full but for its reserve of " + sizeText(reserve_), kFreeSpace,
-           Clock::now());
+      fail("recording stopped: on the disk only the reserve of " + sizeText(reserve_) + " is free",
+           kFreeSpace, Clock::now());
   }
 
   /// Ends recording after a fault, on the writer's thread. Closes the file before the fault is reported, so
@@ -310,28 +301,18 @@ class Recorder::Impl {
       whole = writer_.finish();
     } catch (const SqliteError&) {  // the disk is full; the log stays as it is
     }
+    std::uint64_t lost = 0;
     {
       const std::lock_guard lock(mutex_);
-      const std::uint64_t queued = queued_.load(std::memory_order_relaxed);
-      stats_.lost = queued - std::min(queued, stats_.written);
-      stats_.lost_time = stats_.lost > 0 ? lost_time : 0.0;
+      lost = lostNow();
+      stats_.lost_time = lost > 0 ? lost_time : 0.0;
       takeSpace(space());
       stats_.time_left = 0.0;  // of a file that does not grow any more
     }
     std::error_code fault;
     if (!std::filesystem::exists(path_, fault)) return report(fmt::format("{}. {}", reason, advice));
-    report(fmt::format("{}. {}. {}", reason, whole ? wholeWords() : besideWords(), advice));
-  }
-
-  std::string wholeWords() const {
-    const std::lock_guard lock(mutex_);
-    if (stats_.lost == 0) return "The file is closed and whole, with every row";
-    return fmt::format("The file is closed and whole up to {:.2f} s before that: {} rows are missing",
-                       stats_.lost_time, stats_.lost);
-  }
-  std::string besideWords() const {
-    return fmt::format("Its newest rows are beside it in {}-wal: keep both, and copy both",
-                       path_.filename().string());
+    report(
+        fmt::format("{}. {}. {}", reason, whole ? intactText(lost, lost_time) : besideText(path_), advice));
   }
 
   void report(std::string fault) {
@@ -341,6 +322,11 @@ class Recorder::Impl {
     stats_.error = path_.string() + ": " + std::move(fault);
   }
 
+  /// Number of rows taken that are not in the file. The caller holds mutex_.
+  std::uint64_t lostNow() const {
+    const std::uint64_t queued = queued_.load(std::memory_order_relaxed);
+    return queued - std::min(queued, stats_.written);
+  }
   DiskSpace space() const { return spaceOf(path_, options_); }
   void takeSpace(const DiskSpace& space) {
     stats_.free_bytes = space.free;
@@ -351,9 +337,10 @@ class Recorder::Impl {
   const RecorderOptions options_;
   const double interval_;
   const std::uint64_t reserve_;
+  std::unique_ptr<ImageBlock>
+      images_;  ///< memory of frames_; before writer_, so that no file is left without it
   SessionWriter writer_;
   SpscRing<Record> records_;
-  std::unique_ptr<ImageBlock> image_block_;  ///< memory of frames_
   SpscRing<FrameSlot> frames_;
   Checkpointer checkpointer_;
   std::atomic<std::int64_t> seq_{1};
@@ -369,13 +356,6 @@ class Recorder::Impl {
   GrowthRate growth_;
   std::thread thread_;
 };
-
-std::string gapsText(std::uint64_t missing) {
-  return fmt::format(
-      "The recording has gaps: {} samples are missing. The disk was slower than the data. Record to a faster "
-      "disk, or fewer images.",
-      missing);
-}
 
 Recorder::Recorder(const std::filesystem::path& path, const SessionHeader& header,
                    const RecorderOptions& options)

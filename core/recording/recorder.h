@@ -23,7 +23,7 @@ struct RecorderOptions {
   int width = 640, height = 480;
   /// Log size from which the log is moved into the main file [bytes]; on a small disk 1/32 of the disk.
   std::uint64_t checkpoint_bytes = 64U << 20;
-  bool wait = false;            ///< offer() waits while the queue is full, instead of dropping
+  bool wait = false;            ///< offer() waits while a queue is full, instead of dropping
   std::uint64_t max_bytes = 0;  ///< largest file size [bytes]; 0: limited by the disk
   /// Free space that recording leaves on the disk [bytes]; none: DiskSpace::reserve of the disk.
   std::optional<std::uint64_t> min_free_bytes;
@@ -40,7 +40,7 @@ struct RecorderStats {
   std::string error;                 ///< reason of a failure and its remedy; empty without failure
   std::uint64_t queued = 0;          ///< number of samples and estimates taken
   std::uint64_t written = 0;         ///< number of these that are committed
-  std::uint64_t dropped = 0;         ///< number refused because the queue was full or the recorder had failed
+  std::uint64_t dropped = 0;         ///< number not taken, because the queue was full or recording had failed
   std::uint64_t dropped_frames = 0;  ///< number of these that are pairs of frames
   std::uint64_t frames = 0;          ///< number of pairs of frames committed
   std::uint64_t bytes = 0;           ///< stored size of all committed rows
@@ -70,8 +70,8 @@ std::string gapsText(std::uint64_t missing);
 /// row taken so far is in the file.
 class Recorder {
  public:
-  /// Creates `path`. Throws base::InputError if the file exists or cannot be created, or if only the reserve
-  /// is free there.
+  /// Creates `path`. Throws base::InputError if the file exists or cannot be created, if only the reserve is
+  /// free there, or if the memory for the images is not available.
   Recorder(const std::filesystem::path& path, const SessionHeader& header,
            const RecorderOptions& options = {});
   /// Calls close().

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
 #include <limits>
 #include <memory>
 #include <set>
@@ -203,14 +202,20 @@ std::string contradictionOf(const Recovery& recovery, const std::filesystem::pat
   return recovery.lost_header.empty() ? "" : "entries of the header are missing";
 }
 
-/// Page size of a session whose header may be damaged. The first byte of a page is its type. With the former
-/// size, the second page begins at kFormerPageSize; with the present one, that byte is inside the first page.
-std::uint32_t likelyPageSize(const std::filesystem::path& session) {
-  std::ifstream file(session, std::ios::binary);
-  file.seekg(kFormerPageSize);
-  const int type = file.get();
-  const bool small = type == 2 || type == 5 || type == 10 || type == 13;
-  return small ? kFormerPageSize : kPageSize;
+std::uint64_t rowsAsWritten(SqlitePages& pages, const base::Progress* progress) {
+  std::uint64_t rows = 0;
+  pages.scan([&](StoredRow&& row) { rows += isAsWritten(std::move(row)); }, progress);
+  return rows;
+}
+
+/// Pages of a session. If nothing states their size, it is that with which more rows are as they were
+/// written.
+SqlitePages pagesOf(const std::filesystem::path& session, const base::Progress* progress) {
+  SqlitePages pages(session, kPageSize);
+  if (pages.statesPageSize()) return pages;
+  SqlitePages former(session, kFormerPageSize);
+  return rowsAsWritten(former, progress) > rowsAsWritten(pages, progress) ? std::move(former)
+                                                                          : std::move(pages);
 }
 
 }  // namespace
@@ -218,9 +223,9 @@ std::uint32_t likelyPageSize(const std::filesystem::path& session) {
 Recovery recoverSession(const std::filesystem::path& from, const std::filesystem::path& to,
                         const RecoverOptions& options, base::Progress* progress) {
   Recovery recovery;
-  SqlitePages pages(from, likelyPageSize(from));
-  checkFiles(from, to, pages);
   if (progress) progress->report(0.0, "verifying");
+  SqlitePages pages = pagesOf(from, progress);
+  checkFiles(from, to, pages);
   recovery.fault = faultOf(from, progress);
   const auto held = heldOpen(from);
   base::PartFile part(to);

@@ -89,7 +89,22 @@ void bind(Statement& statement, std::size_t column, const Value& value) {
   std::visit(to, value);
 }
 
+/// The row id of a column that is INTEGER PRIMARY KEY, which SQLite stores as NULL.
+void restoreKey(StoredRow& row, const Table& table) {
+  const bool keyed = table.columns[0].type == ColumnType::kInteger;
+  if (keyed && std::holds_alternative<std::monostate>(row.values[0])) row.values[0] = row.id;
+}
+
 }  // namespace
+
+bool isAsWritten(StoredRow&& row) {
+  for (const Table& table : tables()) {
+    if (row.values.size() != table.columns.size() + 1) continue;
+    restoreKey(row, table);
+    if (fits(row, table, true) && verified(row, table)) return true;
+  }
+  return false;
+}
 
 RowRescue::RowRescue(SessionWriter& writer, bool unchecked) : writer_(writer), unchecked_allowed_(unchecked) {
   for (const Table& table : tables())
@@ -104,8 +119,7 @@ void RowRescue::take(StoredRow&& row) {
     const std::size_t columns = target.table->columns.size();
     const bool checked = row.values.size() == columns + 1;
     if (!checked && !(unchecked_allowed_ && row.values.size() == columns)) continue;
-    const bool keyed = target.table->columns[0].type == ColumnType::kInteger;
-    if (keyed && std::holds_alternative<std::monostate>(row.values[0])) row.values[0] = row.id;
+    restoreKey(row, *target.table);
     const bool fitting = fits(row, *target.table, checked) && possible(row, *target.table);
     if (fitting && (!checked || verified(row, *target.table))) {
       unchecked_ |= !checked;

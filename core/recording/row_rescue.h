@@ -13,6 +13,9 @@
 
 namespace capstan::recording {
 
+/// Whether the row is one of a session, and as it was written by its check sum.
+bool isAsWritten(StoredRow&& row);
+
 /// Writes rows that SqlitePages has found into a new session: each into the table whose columns it fits and
 /// by whose check sum it is as it was written.
 class RowRescue {

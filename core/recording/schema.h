@@ -16,7 +16,7 @@ inline constexpr std::int32_t kApplicationId = 0x43505354;  ///< "CPST"
 /// Of the database [bytes]. With 8192 bytes, half of the writer's time for 2 × 720p at 30 frames/s was spent
 /// in the kernel, and samples were lost.
 inline constexpr int kPageSize = 32768;
-/// Of sessions of versions up to 0.2 [bytes].
+/// Of sessions written before the present size was introduced [bytes].
 inline constexpr int kFormerPageSize = 8192;
 /// PRAGMA user_version. Version 1 had no check sums.
 inline constexpr std::int32_t kSchemaVersion = 2;

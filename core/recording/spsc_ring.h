@@ -11,7 +11,9 @@ namespace capstan::recording {
 template <class T>
 class SpscRing {
  public:
-  explicit SpscRing(std::size_t capacity) : slots_(capacity + 1) {}
+  explicit SpscRing(std::size_t capacity) : slots_(slotsFor(capacity)) {}
+  /// Number of slots that prepare() visits: one is always empty.
+  static constexpr std::size_t slotsFor(std::size_t capacity) { return capacity + 1; }
 
   /// Producer: slot to fill, or null when the ring is full. push() passes it to the consumer.
   T* back() {
@@ -27,7 +29,7 @@ class SpscRing {
   }
   void pop() { head_.store(after(head_.load(std::memory_order_relaxed)), std::memory_order_release); }
 
-  /// Prepares every slot before use, on one thread.
+  /// Prepares every slot before or after use, on one thread.
   template <class Prepare>
   void prepare(Prepare&& each) {
     for (T& slot : slots_) each(slot);

@@ -13,6 +13,7 @@ namespace {
 using Bytes = std::vector<std::uint8_t>;
 
 constexpr std::uint8_t kTableLeaf = 0x0D;
+constexpr std::uint32_t kSmallestPage = 512, kLargestPage = 65536;
 constexpr std::size_t kLeafHeader = 8, kLogHeader = 32, kFrameHeader = 24;
 constexpr std::size_t kMostValues = 64;          ///< of a row; more is damage
 constexpr std::uint64_t kMostReads = 4;          ///< of an overflow page, on average
@@ -76,16 +77,24 @@ void SqlitePages::readHeader() {
   constexpr char kMagic[] = "SQLite format 3";
   Bytes head(100);
   if (!read(file_, 0, head) || std::memcmp(head.data(), kMagic, sizeof kMagic) != 0) return;
-  const std::uint32_t size = big16(&head[16]) == 1 ? 65536 : big16(&head[16]);
-  if (std::has_single_bit(size) && size >= 512) page_size_ = size, reserved_ = head[20];
+  takePageSize(big16(&head[16]) == 1 ? kLargestPage : big16(&head[16]));
+  if (states_page_size_) reserved_ = head[20];
   version_ = big32(&head[60]);
   stated_pages_ = big32(&head[28]);
 }
 
+void SqlitePages::takePageSize(std::uint32_t stated) {
+  if (!std::has_single_bit(stated) || stated < kSmallestPage || stated > kLargestPage) return;
+  page_size_ = stated;
+  states_page_size_ = true;
+}
+
 /// Frames of the log that were written since it was last moved into the file: those with its salts.
 void SqlitePages::readLog() {
+  constexpr std::uint32_t kMagic = 0x377f0682;  // and this plus one
   Bytes head(kLogHeader), frame(kFrameHeader);
   if (!log_ || !read(log_, 0, head)) return;
+  if (!states_page_size_ && (big32(head.data()) & ~1U) == kMagic) takePageSize(big32(&head[8]));
   for (std::uint64_t at = kLogHeader; read(log_, at, frame); at += kFrameHeader + page_size_) {
     if (std::memcmp(&head[16], &frame[8], 8) != 0) break;
     log_pages_.push_back({big32(frame.data()), at + kFrameHeader});
@@ -174,6 +183,7 @@ PageCounts SqlitePages::scan(const std::function<void(StoredRow&&)>& row, const 
   PageCounts counts;
   const std::uint64_t whole = file_bytes_ / page_size_;
   counts.missing = stated_pages_ > whole && log_pages_.empty() ? stated_pages_ - whole : 0;
+  counts.missing_bytes = counts.missing * page_size_;
   // Each overflow page belongs to one row, in the file and in each transaction of the log. Pages that are
   // stated to belong to many rows are read a few times, but not as often as there are cells.
   overflow_left_ = kMostReads * (file_bytes_ + log_pages_.size() * page_size_);

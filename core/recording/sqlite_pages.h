@@ -12,8 +12,8 @@
 
 #include "core/base/progress.h"
 
-/// Rows of an SQLite 3 database, read from its pages without SQLite (SQLite, Database File Format): what is
-/// left of a damaged file. For core/recording only.
+/// Rows of an SQLite 3 database, read from its pages without SQLite (SQLite, Database File Format): those of
+/// a damaged file that can still be read. For core/recording only.
 namespace capstan::recording {
 
 /// A stored value: NULL, INTEGER, REAL, TEXT or BLOB.
@@ -27,18 +27,21 @@ struct StoredRow {
 
 /// What a scan of the pages met.
 struct PageCounts {
-  std::uint64_t pages = 0;       ///< pages in the file and its write-ahead log
-  std::uint64_t unreadable = 0;  ///< cells of table leaves that are no row, or overlap others
-  std::uint64_t missing = 0;     ///< pages that the file's header states and the file lacks
+  std::uint64_t pages = 0;          ///< pages in the file and its write-ahead log
+  std::uint64_t unreadable = 0;     ///< cells of table leaves that are no row, or overlap others
+  std::uint64_t missing = 0;        ///< pages that the file's header states and the file lacks
+  std::uint64_t missing_bytes = 0;  ///< size of these
 };
 
 /// Pages of a database file and of the write-ahead log beside it.
 class SqlitePages {
  public:
   /// Throws base::InputError if `path` cannot be read.
-  /// `page_size` is used if the file's header is damaged.
+  /// `page_size` is used if the headers of the file and of its log are damaged.
   SqlitePages(const std::filesystem::path& path, std::uint32_t page_size);
 
+  /// Whether the header of the file, or of its log, states the page size.
+  bool statesPageSize() const { return states_page_size_; }
   /// Schema version (PRAGMA user_version) in the file's header; nothing if the header is damaged.
   std::optional<std::uint32_t> version() const { return version_; }
   /// Hands every row of every table leaf but those of page 1 (the schema) to `row`, in the order of the
@@ -56,7 +59,10 @@ class SqlitePages {
   bool scanPage(const std::vector<std::uint8_t>& page, PageCounts& counts,
                 const std::function<void(StoredRow&&)>& row, const base::Progress* progress);
 
+  void takePageSize(std::uint32_t stated);
+
   std::uint32_t page_size_, reserved_ = 0;  ///< [bytes]; reserved at the end of each page
+  bool states_page_size_ = false;
   std::ifstream file_, log_;
   std::uint64_t file_bytes_ = 0;
   std::optional<std::uint32_t> version_;

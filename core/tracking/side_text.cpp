@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 namespace capstan::tracking {
 namespace {
 
@@ -10,6 +12,21 @@ using State = SideStatus::State;
 std::string counted(std::uint64_t count, const std::string& one) {
   return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
 }
+
+/// What was lost or excluded so far: "3 missing, 12 dropped"; empty: nothing.
+std::string countsText(const SideStatus& side) {
+  const std::pair<std::uint64_t, const char*> counts[] = {{side.missing, "missing"},
+                                                          {side.repeated, "repeated"},
+                                                          {side.dropped, "dropped"},
+                                                          {side.unpaired, "unpaired"},
+                                                          {side.frozen, "frozen"}};
+  std::string text;
+  for (const auto& [count, what] : counts)
+    if (count > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, what);
+  return text;
+}
+
+bool isBehind(const SideStatus& side) { return side.backlog > SideStatus::kLongBacklog; }
 
 /// The first seconds say nothing about a drift: a clock of a computer is within 1000 ppm.
 std::string driftText(const SideClock& clock) {
@@ -26,6 +43,7 @@ std::string stateOf(const SideStatus& side, const std::string& how_long) {
 }
 
 bool needsAttention(const SideStatus& side) {
+  if (isBehind(side)) return true;
   if (side.state == State::kWaiting) return side.received > 0 || side.refused > 0;
   return side.state == State::kSilent || side.state == State::kFrozen || side.state == State::kRefused ||
          side.state == State::kEnded;
@@ -49,9 +67,12 @@ std::string shortTextOf(const SideStatus& side) {
     case State::kReceiving:
       break;
   }
-  std::string text = encodersText(side);
-  if (text.empty() && side.dropped > 0) text = fmt::format("{}: {} dropped", side.name, side.dropped);
-  return text;
+  if (isBehind(side))
+    return fmt::format("estimates late by {:.1f} s: tracking is slower than the {} come", side.backlog,
+                       side.counted + "s");
+  const std::string encoders = encodersText(side), counts = countsText(side);
+  if (!encoders.empty() || counts.empty()) return encoders;
+  return fmt::format("{}: {}", side.name, counts);
 }
 
 std::string encodersText(const SideStatus& side) {
@@ -67,6 +88,12 @@ std::string encodersText(const SideStatus& side) {
           "{}: joint encoders are not used, they come later than their motors by more than {} ms: publish "
           "both in one cycle, or leave out encoders in the live set-up",
           side.name, EncoderStatus::kWait.count());
+    case Encoders::kSilent:
+      return fmt::format(
+          "{}: joint encoders are silent at {}: check that it is published, or leave out encoders in the "
+          "live "
+          "set-up",
+          side.name, side.encoders.from);
     case Encoders::kUsed:
       break;
   }

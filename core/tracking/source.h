@@ -53,8 +53,9 @@ struct SideLatency {
 
 /// Joint encoders that come as messages of their own.
 struct EncoderStatus {
-  enum class State { kUsed, kOtherStamps, kLate };
-  State state = State::kUsed;   ///< kOtherStamps, kLate: why none of the newest messages was used
+  enum class State { kUsed, kSilent, kOtherStamps, kLate };
+  State state = State::kUsed;   ///< others: why the newest rows have no joint encoders
+  std::string from;             ///< address
   std::uint64_t unmatched = 0;  ///< rows whose encoders came with another stamp, and were excluded
   std::uint64_t late = 0;       ///< messages that came more than kWait after the row of their stamp
   /// Time for which a row waits for its encoders.
@@ -79,8 +80,9 @@ struct SideStatus {
   std::uint64_t missing = 0;      ///< rows that never came, or pairs of images of which neither came, by the
                                   ///< gaps in their times
   std::uint64_t dropped = 0;      ///< excluded, since tracking was too slow
-  std::uint64_t unpaired = 0;     ///< images excluded, since the other camera gave none at their time
-  std::uint64_t frozen = 0;       ///< images that equal the one before; their pairs are excluded
+  double backlog = 0.0;  ///< time since the arrival of the oldest sample that tracking has not taken [s]
+  std::uint64_t unpaired = 0;    ///< images excluded, since the other camera gave none at their time
+  std::uint64_t frozen = 0;      ///< images that equal the one before; their pairs are excluded
   std::uint64_t undated = 0;     ///< pairs of images excluded, while it was not known whose clock stamps them
   std::uint64_t incomplete = 0;  ///< rows excluded, since their connection ended within them
   std::uint64_t gaps = 0;        ///< intervals above kSilence in the times of rows or pairs
@@ -95,6 +97,8 @@ struct SideStatus {
   EncoderStatus encoders;
   /// Shown within 0.5 s, since views ask every 0.1 s [s].
   static constexpr double kSilence = 0.35;
+  /// Backlog from which it is reported [s]: images of 30 Hz may wait for each other.
+  static constexpr double kLongBacklog = 0.3;
 };
 
 /// Yields samples in order of arrival. Deterministic sources yield the same bytes each time.

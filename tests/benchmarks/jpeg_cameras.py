@@ -9,6 +9,7 @@ import threading
 import time
 
 BOUNDARY = b"frame"
+EYES = ("left", "right")
 
 
 class Recording:
@@ -19,9 +20,9 @@ class Recording:
         self.row_times, self.rows, self.header = row_times, rows, header
 
 
-def serve(recording, image_port, row_port, ready, go):
-    """Sends all images and rows in real time, from `go` on. Runs in a process of its own."""
-    jpegs = {eye: [path.read_bytes() for path in sorted(recording.folder.glob(f"{eye}_*.jpg"))] for eye in ("left", "right")}
+def serve(recording, image_port, row_port, ready, go, sent):
+    """Sends all images and rows in real time, from `go` on, and counts the images in `sent`. Runs in a process of its own."""
+    jpegs = {eye: [path.read_bytes() for path in sorted(recording.folder.glob(f"{eye}_*.jpg"))] for eye in EYES}
     begun = threading.Event()
     first = recording.row_times[0]
     begin = 0.0
@@ -35,13 +36,15 @@ def serve(recording, image_port, row_port, ready, go):
             self.send_header("Content-Type", "multipart/x-mixed-replace; boundary=" + BOUNDARY.decode())
             self.end_headers()
             begun.wait()
+            eye = self.path.strip("/")
             try:
-                for jpeg, exposure, arrival in zip(jpegs[self.path.strip("/")], recording.exposures, recording.arrivals):
+                for jpeg, exposure, arrival in zip(jpegs[eye], recording.exposures, recording.arrivals, strict=True):
                     wait_until(arrival)
                     self.wfile.write(b"--" + BOUNDARY + b"\r\nContent-Type: image/jpeg\r\nContent-Length: %d\r\nX-Timestamp: %.6f\r\n\r\n"
                                      % (len(jpeg), begin + exposure - first) + jpeg + b"\r\n")
+                    sent[EYES.index(eye)] += 1
             except OSError:
-                pass  # the session has ended
+                pass  # the session has ended: what it did not take is not counted
 
         def log_message(self, *_):
             pass
@@ -66,7 +69,8 @@ class Senders:
 
     def __init__(self, recording, image_port, row_port):
         ready, self.begin = multiprocessing.Event(), multiprocessing.Event()
-        self.process = multiprocessing.Process(target=serve, args=(recording, image_port, row_port, ready, self.begin))
+        self.sent = multiprocessing.Array("l", len(EYES))  # images by eye
+        self.process = multiprocessing.Process(target=serve, args=(recording, image_port, row_port, ready, self.begin, self.sent))
         self.process.start()
         ready.wait(60)
 

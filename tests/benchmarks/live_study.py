@@ -362,8 +362,9 @@ def in_hd(lab):
         print(f"  {side['side']:8s} received {side['received']}, missing {side['missing']}, dropped {side['dropped']}, "
               f"unpaired {side['unpaired']}, frozen {side['frozen']}; arrival to estimate median "
               f"{1e3 * side['latency']['median']:.2f} ms, 99 % {1e3 * side['latency']['p99']:.2f} ms")
-    print(f"  rows sent {len(recording.rows)}, pairs sent {len(recording.exposures)}; recorded {result['written']} samples, "
-          f"{result['dropped'] + result['lost']} lost, {result['bytes'] / 1e6:.0f} MB")
+    print(f"  rows sent {len(recording.rows)}, images sent {senders.sent[0]} left and {senders.sent[1]} right; recorded {result['motor']} rows "
+          f"and {result['frames']} pairs, in all {result['written']} samples, {result['dropped'] + result['lost']} lost, "
+          f"{result['bytes'] / 1e6:.0f} MB")
     print(f"  processor time: session {(used.ru_utime + used.ru_stime) / spent:.2f} cores (decoding, tracking, recording), senders "
           f"{(player.ru_utime + player.ru_stime) / spent:.2f}; load average {os.getloadavg()[0]:.1f} on {os.cpu_count()} cores")
 

@@ -59,7 +59,7 @@ TEST_F(Shell, ARecordingOntoAFullDiskIsWholeInItsOneFile) {
   EXPECT_LE(end - endOf(copy), 0.5) << "lost";
   std::printf("running to %.3f s, in the copy to %.3f s; %s\n%s\n", end, endOf(copy),
               status.recorder->error.c_str(), told.toStdString().c_str());
-  ASSERT_TRUE(waitFor([&] { return window->message().contains("whole"); }));
+  ASSERT_TRUE(waitFor([&] { return window->message().contains("intact"); }));
   EXPECT_TRUE(window->message().contains("Free space")) << window->message().toStdString();
   EXPECT_EQ(stateOf(*window), live::RunState::kRunning) << "the session goes on";
 }
@@ -106,7 +106,7 @@ TEST_F(Shell, AFullFolderIsRefusedWhenChosenAndWhenRecordedTo) {
   window->open(atRest());
   ASSERT_TRUE(opened(*window));
   window->action("record")->trigger();
-  EXPECT_TRUE(window->message().contains("full but for its reserve of 1.7 MB"))
+  EXPECT_TRUE(window->message().contains("only the reserve of 1.7 MB is free"))
       << window->message().toStdString();
   EXPECT_FALSE(window->link().recording());
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(disk.path()), {}), 1) << "nothing was begun";

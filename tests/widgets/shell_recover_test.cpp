@@ -43,8 +43,8 @@ TEST_F(Shell, ADamagedSessionIsRecoveredAndOpened) {
   EXPECT_TRUE(says(*window, "is damaged"));
   test::grab(*window, "recover-offered");
   buttonNamed(*window, "Recover…")->click();
-  ASSERT_TRUE(waitFor([&] { return dialogTitled(*window, "Save what is left as") != nullptr; }));
-  QFileDialog* dialog = dialogTitled(*window, "Save what is left as");
+  ASSERT_TRUE(waitFor([&] { return dialogTitled(*window, "Save what is readable as") != nullptr; }));
+  QFileDialog* dialog = dialogTitled(*window, "Save what is readable as");
   EXPECT_EQ(dialog->selectedFiles(), QStringList{file("a-recovered.capstan")});
   dialog->selectFile(file("b.capstan"));
   QTest::keyClick(dialog->findChild<QLineEdit*>(), Qt::Key_Return);

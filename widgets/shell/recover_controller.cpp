@@ -57,7 +57,7 @@ void RecoverController::askNew(const QString& damaged) {
   const QFileInfo info(damaged);
   const QString name =
       info.dir().filePath(info.completeBaseName() + "-recovered" + recording::kSessionSuffix);
-  auto* dialog = new QFileDialog(qobject_cast<QWidget*>(parent()), tr("Save what is left as"), name,
+  auto* dialog = new QFileDialog(qobject_cast<QWidget*>(parent()), tr("Save what is readable as"), name,
                                  tr("Sessions (*%1)").arg(recording::kSessionSuffix));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAcceptMode(QFileDialog::AcceptSave);

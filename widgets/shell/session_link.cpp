@@ -2,6 +2,8 @@
 
 #include <QDateTime>
 #include <QDir>
+#include <chrono>
+#include <exception>
 #include <utility>
 
 #include "core/base/error.h"
@@ -110,7 +112,7 @@ void SessionLink::hearRetired() {
   });
   for (const std::string& fault : faults)
     if (!fault.empty())
-      Q_EMIT failed(tr("Recording of the session before: %1").arg(QString::fromStdString(fault)));
+      Q_EMIT failed(tr("Recording of the previous session: %1").arg(QString::fromStdString(fault)));
 }
 
 void SessionLink::finishOpening() {
@@ -181,7 +183,8 @@ void SessionLink::toggleRecording(const QString& folder) {
     runner_->startRecording(file.toStdString(),
                             recording::headerOf(runner_->info(), now.toString(Qt::ISODate).toStdString()),
                             live::recorderOptionsFor(runner_->info(), runner_->status()));
-  } catch (const base::InputError& error) {
+    emitStatus(runner_->status());  // a recording that fails at once has been shown, and its end is reported
+  } catch (const std::exception& error) {
     Q_EMIT failed(QString::fromStdString(error.what()));
   }
 }

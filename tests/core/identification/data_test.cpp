@@ -49,6 +49,7 @@ ParameterFilter::Innovation innovation(double value) {
   made.by_unknown.setZero();
   made.by_unknown(0, 0) = 1.0;
   made.covariance.setIdentity();
+  made.whole_covariance.setIdentity();
   made.nis = value * value;
   return made;
 }

@@ -24,7 +24,7 @@ Joined joined(int motor, int encoder, double late, bool (*gone)(int) = nullptr) 
     const double t = 1e-3 * k;
     if (k < 1000 && k % motor == 0 && !(gone && gone(k)))
       pairing.addMotors({now, {t, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, {}});
-    if (k % encoder == 0) pairing.addEncoders({t + late, {t, 0, 0}});
+    if (k % encoder == 0) pairing.addEncoders({t + late, {t, 0, 0}}, now);
     for (EncoderPairing::Row row; pairing.take(now, row);) {
       ++all.rows;
       if (!row.joints) continue;
@@ -75,7 +75,7 @@ Joined delayed(int (*delay)(int)) {
   for (int k = 0; k < 1100; ++k) {
     const auto now = start + std::chrono::milliseconds(k);
     if (k < 1000) pairing.addMotors({now, {1e-3 * k, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, {}});
-    for (; sent < 1000 && sent + delay(sent) <= k; ++sent) pairing.addEncoders({1e-3 * sent, {0, 0, 0}});
+    for (; sent < 1000 && sent + delay(sent) <= k; ++sent) pairing.addEncoders({1e-3 * sent, {0, 0, 0}}, now);
     for (EncoderPairing::Row row; pairing.take(now, row);) {
       ++all.rows;
       all.with_encoders += row.joints.has_value();
@@ -103,13 +103,36 @@ TEST(EncoderPairing, AHiccupNowAndThenIsForgotten) {
   EXPECT_EQ(all.state, State::kUsed);
 }
 
+TEST(EncoderPairing, RowsDoNotWaitForSilentEncoders) {
+  EncoderPairing pairing(true);
+  const EncoderPairing::Clock::time_point start{};
+  EncoderPairing::Row row;
+  const auto waitOf = [&](int k, bool encoders) {
+    const auto begin = start + std::chrono::milliseconds(k);
+    pairing.addMotors({begin, {1e-3 * k, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, {}});
+    if (encoders) pairing.addEncoders({1e-3 * k, {0, 0, 0}}, begin);
+    for (int wait = 0; wait < 100; ++wait)
+      if (pairing.take(begin + std::chrono::milliseconds(wait), row)) return wait;
+    return 100;
+  };
+  EXPECT_GT(waitOf(0, false), 15) << "they may come later than their motors";
+  EXPECT_EQ(pairing.status().state, State::kUsed);
+  EXPECT_EQ(waitOf(400, false), 0);
+  EXPECT_EQ(pairing.status().state, State::kSilent);
+  EXPECT_EQ(waitOf(401, true), 0);
+  EXPECT_TRUE(row.joints);
+  EXPECT_EQ(pairing.status().state, State::kUsed) << "back";
+  EXPECT_EQ(waitOf(900, false), 0);
+  EXPECT_EQ(pairing.status().state, State::kSilent) << "silent again";
+}
+
 TEST(EncoderPairing, RestartsWhereStampsStepBack) {
   EncoderPairing pairing(true);
   const EncoderPairing::Clock::time_point now{};
   int with_encoders = 0;
   for (const double begin : {100.0, 0.0})
     for (int k = 0; k < 100; ++k) {
-      pairing.addEncoders({begin + 1e-3 * k, {0, 0, 0}});
+      pairing.addEncoders({begin + 1e-3 * k, {0, 0, 0}}, now);
       pairing.addMotors({now, {begin + 1e-3 * k, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, {}});
       for (EncoderPairing::Row row; pairing.take(now, row);) with_encoders += row.joints.has_value();
     }
@@ -127,12 +150,12 @@ TEST(EncoderPairing, HoldsABoundedNumberOfEncodersAndCountsOnWhereTheirClockIsAh
     return row.joints.has_value();
   };
   constexpr int kMost = static_cast<int>(EncoderPairing::kMost);
-  for (int k = 0; k < kMost + 500; ++k) pairing.addEncoders({1e-3 * k, {0, 0, 0}});
+  for (int k = 0; k < kMost + 500; ++k) pairing.addEncoders({1e-3 * k, {0, 0, 0}}, now);
   EXPECT_FALSE(haveEncoders(0.499)) << "the oldest are gone";
   EXPECT_TRUE(haveEncoders(0.500));
   EXPECT_EQ(pairing.status().unmatched, 1U);
   for (int k = 0; k < kMost + 100; ++k) {
-    pairing.addEncoders({1000.0 + 1e-3 * k, {0, 0, 0}});
+    pairing.addEncoders({1000.0 + 1e-3 * k, {0, 0, 0}}, now);
     EXPECT_FALSE(haveEncoders(5.0 + 1e-3 * k));
   }
   EXPECT_GE(pairing.status().unmatched, 100U) << "a clock that is ahead by 1000 s";

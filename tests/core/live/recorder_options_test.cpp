@@ -24,7 +24,7 @@ TEST(RecorderOptions, HoldTwoSecondsOfASourceOfAnyRateAndSize) {
   EXPECT_EQ(options.buffered_time, 2.0);
   status = {};
   info.tracking = "camera_period: 0.0166666\n";
-  EXPECT_NEAR(recorderOptionsFor(info, status).frame_rate, 60.0, 1e-9) << "before the first picture";
+  EXPECT_NEAR(recorderOptionsFor(info, status).frame_rate, 60.0, 1e-9) << "before the first image";
   info.tracking.clear();
   info.real_time = true;
   options = recorderOptionsFor(info, status);
@@ -32,7 +32,7 @@ TEST(RecorderOptions, HoldTwoSecondsOfASourceOfAnyRateAndSize) {
       << "before the rate of cameras is known";
   EXPECT_EQ(options.buffered_time, recording::RecorderOptions{}.buffered_time) << "rows need little room";
   info.rig.reset();
-  EXPECT_EQ(recorderOptionsFor(info, status).width, 0) << "no memory for pictures that never come";
+  EXPECT_EQ(recorderOptionsFor(info, status).width, 0) << "no memory for images that never come";
   EXPECT_FALSE(recorderOptionsFor(info, status).wait);
   info.sender_waits = true;
   EXPECT_TRUE(recorderOptionsFor(info, status).wait) << "nothing has to be dropped";

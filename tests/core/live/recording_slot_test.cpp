@@ -38,7 +38,9 @@ TEST(RecordingSlot, ARecordingSaysThatItHasGaps) {
   ASSERT_EQ(events.size(), 1U);
   EXPECT_EQ(events[0].kind, "recorder");
   EXPECT_NEAR(events[0].t, 29.999, 1e-9);
-  EXPECT_THAT(events[0].text, HasSubstr("samples are missing. The disk was slower than the data."));
+  EXPECT_THAT(
+      events[0].text,
+      HasSubstr("samples are missing. The disk, or the encoding of the images, was slower than the data."));
 }
 
 }  // namespace

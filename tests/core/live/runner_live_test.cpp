@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <future>
 #include <mutex>
 #include <thread>
 
@@ -95,7 +96,9 @@ class LiveRunner : public ::testing::Test {
   }
   void record() {
     runner_->startRecording(folder_ / "a.capstan", recording::headerOf(runner_->info(), "2026-11-21"));
-    for (int k = 0; k < 1000 && !runner_->status().recorder; ++k) std::this_thread::sleep_for(5ms);
+    std::promise<void> begun;
+    runner_->post([&](tracking::Source&, tracking::TrackingPipeline&) { begun.set_value(); });
+    begun.get_future().wait();
   }
   /// Waits until the session's time is `t`.
   testing::AssertionResult comesTo(double t) {

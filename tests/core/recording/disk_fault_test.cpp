@@ -86,7 +86,7 @@ void expectWhole(const Outcome& outcome) {
   EXPECT_TRUE(outcome.in_order);
   EXPECT_LE(outcome.taken - outcome.stored, 0.5) << outcome.stats.error;
   EXPECT_FALSE(outcome.log_beside);
-  EXPECT_NE(outcome.stats.error.find("whole"), std::string::npos) << outcome.stats.error;
+  EXPECT_NE(outcome.stats.error.find("intact"), std::string::npos) << outcome.stats.error;
   std::printf("taken to %.3f s, in the copy to %.3f s: lost %.3f s; %s\n", outcome.taken, outcome.stored,
               outcome.taken - outcome.stored, outcome.stats.error.c_str());
 }
@@ -224,8 +224,9 @@ TEST(DiskFault, ALogThatCannotBeMovedIsNamed) {
     BreakableDisk::broken() = true;
   });
   EXPECT_TRUE(outcome.log_beside);
-  EXPECT_NE(outcome.stats.error.find("a.capstan-wal: keep both"), std::string::npos) << outcome.stats.error;
-  EXPECT_EQ(outcome.stats.error.find("whole"), std::string::npos) << outcome.stats.error;
+  EXPECT_NE(outcome.stats.error.find("a.capstan-wal. Keep the two files together"), std::string::npos)
+      << outcome.stats.error;
+  EXPECT_EQ(outcome.stats.error.find("intact"), std::string::npos) << outcome.stats.error;
 }
 
 TEST(DiskFault, ARemovedFileIsNotCalledWhole) {
@@ -238,7 +239,7 @@ TEST(DiskFault, ARemovedFileIsNotCalledWhole) {
   const RecorderStats stats = recorder.stats();
   ASSERT_EQ(stats.state, RecorderState::kFailed);
   EXPECT_NE(stats.error.find("is lost"), std::string::npos) << stats.error;
-  EXPECT_EQ(stats.error.find("whole"), std::string::npos) << stats.error;
+  EXPECT_EQ(stats.error.find("intact"), std::string::npos) << stats.error;
   EXPECT_TRUE(std::filesystem::is_empty(folder.path())) << "nothing stays behind";
 }
 

@@ -10,6 +10,7 @@
 #include "core/recording/recorder.h"
 #include "core/recording/session_source.h"
 #include "tests/core/recording/session_samples.h"
+#include "tests/support/process_use.h"
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define CAPSTAN_COUNTS_ALLOCATIONS 0
@@ -133,6 +134,34 @@ TEST(Recorder, TheQueueHoldsTwoSecondsOfFramesToo) {
   EXPECT_EQ(recorder.stats().frames, static_cast<std::uint64_t>(taken));
 }
 
+TEST(Recorder, TheMemoryOfItsImagesEndsWithTheRecording) {
+  const TemporaryFolder folder;
+  const double before = test::residentMegabytes();
+  RecorderOptions options;
+  options.frame_rate = 60.0, options.buffered_time = 2.0;  // 123 pairs of 640 × 480: 227 MB
+  Recorder recorder(folder / "a.capstan", header(), options);
+  for (int k = 0; k < 500 && test::residentMegabytes() - before < 150.0; ++k)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  EXPECT_GT(test::residentMegabytes() - before, 150.0);
+  recorder.close();
+  EXPECT_LT(test::residentMegabytes() - before, 50.0);
+  EXPECT_FALSE(recorder.offer(tracking::StereoFrame{1.0, 1.0, cv::Mat(480, 640, CV_8UC3), {}}));
+}
+
+TEST(Recorder, ImagesThatDoNotFitIntoMemoryAreRefusedBeforeThereIsAFile) {
+  const TemporaryFolder folder;
+  RecorderOptions options;
+  options.width = options.height = 10'000'000;
+  try {
+    Recorder(folder / "a.capstan", header(), options);
+    ADD_FAILURE() << "recorded";
+  } catch (const base::InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("of memory for the images are not available"), std::string::npos)
+        << error.what();
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder / "a.capstan"));
+}
+
 TEST(Recorder, OfferDoesNotAllocate) {
   if (!CAPSTAN_COUNTS_ALLOCATIONS) GTEST_SKIP() << "a sanitizer owns malloc";
   const long at_start = allocations;
@@ -175,6 +204,7 @@ TEST(Recorder, AFullDiskIsAStateAndLeavesAWholeFile) {
   EXPECT_NE(stats.error.find("a.capstan"), std::string::npos) << stats.error;
   EXPECT_NE(stats.error.find("Free space"), std::string::npos) << stats.error;
   EXPECT_LT(stats.written, offered);
+  EXPECT_EQ(stats.written + stats.lost + stats.dropped, offered + 1) << "each is one of these";
 
   SessionSource source(folder / "a.capstan");
   std::uint64_t back = 0;

@@ -132,6 +132,8 @@ TEST(Recover, OfATruncatedFileTheBeginningIsSaved) {
   const Recovery recovery = recoverSession(path, folder / "b.capstan");
   EXPECT_FALSE(recovery.whole());
   EXPECT_GT(recovery.pages.missing, 0U);
+  EXPECT_NEAR(static_cast<double>(recovery.pages.missing_bytes), static_cast<double>(bytes.size()) / 2.0,
+              kPageSize);
   EXPECT_GT(rowsOf(recovery, "motor").saved, 100);
   for (const auto& [t, text] : samplesOf(folder / "b.capstan")) EXPECT_EQ(text, before.at(t)) << t;
 }
@@ -156,19 +158,33 @@ TEST(Recover, WithoutAFirstPageEveryRowIsSaved) {
   }
 }
 
-TEST(Recover, WithoutTheFirstPageOfAFormerSizeEveryRowIsSaved) {
-  const TemporaryFolder folder;
+/// A session with pages of `page_size`, whose first bytes are all `with`.
+Recovery ofOverwritten(const TemporaryFolder& folder, int page_size, int bytes, char with) {
   const auto path = sessionIn(folder);
-  const auto before = samplesOf(path);
-  Database(path, Database::Mode::kReadWrite)
-      .run(fmt::format("PRAGMA page_size = {}; VACUUM", kFormerPageSize));
-  std::string bytes = bytesOf(path);
-  std::fill_n(bytes.begin(), kFormerPageSize, '\x5a');
-  write(path, bytes);
-  const Recovery recovery = recoverSession(path, folder / "b.capstan");
-  EXPECT_TRUE(recovery.complete());
-  EXPECT_EQ(recovery.saved(), kRows + 1);
-  EXPECT_EQ(samplesOf(folder / "b.capstan"), before);
+  Database(path, Database::Mode::kReadWrite).run(fmt::format("PRAGMA page_size = {}; VACUUM", page_size));
+  std::string all = bytesOf(path);
+  std::fill_n(all.begin(), bytes, with);
+  write(path, all);
+  return recoverSession(path, folder / "b.capstan");
+}
+
+TEST(Recover, WithoutTheFirstPageOfEitherSizeEveryRowIsSaved) {
+  for (const int page_size : {kFormerPageSize, kPageSize})
+    for (const char with : {'\x5a', '\0', '\n', '\r'}) {
+      const TemporaryFolder folder;
+      const Recovery recovery = ofOverwritten(folder, page_size, page_size, with);
+      EXPECT_TRUE(recovery.complete()) << page_size << " " << int{with};
+      EXPECT_EQ(recovery.saved(), kRows + 1);
+    }
+}
+
+TEST(Recover, BehindAnOverwrittenBeginningOfEitherSizeTheRowsAreSaved) {
+  constexpr int kBeginning = 65536;
+  for (const int page_size : {kFormerPageSize, kPageSize}) {
+    const TemporaryFolder folder;
+    const Recovery recovery = ofOverwritten(folder, page_size, kBeginning, '\0');
+    EXPECT_GT(recovery.saved(), kRows * 2 / 3) << page_size;
+  }
 }
 
 TEST(Recover, PagesOfAnotherSizeAreRead) {

@@ -130,6 +130,36 @@ TEST_F(SideWatchTest, SaysOnceThatEncodersDoNotMatch) {
   EXPECT_EQ(observe(State::kReceiving), Sentences{"motors: joint encoders are used"});
 }
 
+TEST_F(SideWatchTest, SaysThatEncodersAreSilent) {
+  observe(State::kReceiving);
+  side_.encoders.state = EncoderStatus::State::kSilent, side_.encoders.from = "ros:/encoders";
+  const Sentences said = observe(State::kReceiving);
+  ASSERT_EQ(said.size(), 1U);
+  EXPECT_NE(said[0].find("joint encoders are silent at ros:/encoders"), std::string::npos) << said[0];
+  EXPECT_EQ(shortTextOf(side_), said[0]) << "also in the status line";
+  side_.encoders.state = EncoderStatus::State::kUsed;
+  EXPECT_EQ(observe(State::kReceiving), Sentences{"motors: joint encoders are used"});
+}
+
+TEST_F(SideWatchTest, TheStatusLineCountsWhatWasLostOrExcluded) {
+  observe(State::kReceiving);
+  EXPECT_EQ(shortTextOf(side_), "");
+  side_.missing = 2, side_.repeated = 1, side_.dropped = 30;
+  EXPECT_EQ(shortTextOf(side_), "motors: 2 missing, 1 repeated, 30 dropped");
+  side_.unpaired = 4, side_.frozen = 5;
+  EXPECT_EQ(shortTextOf(side_), "motors: 2 missing, 1 repeated, 30 dropped, 4 unpaired, 5 frozen");
+  EXPECT_FALSE(needsAttention(side_)) << "it is past";
+}
+
+TEST_F(SideWatchTest, TheStatusLineSaysThatTrackingIsSlowerThanTheRobot) {
+  observe(State::kReceiving);
+  side_.backlog = 0.1;
+  EXPECT_FALSE(needsAttention(side_));
+  side_.backlog = 2.34;
+  EXPECT_TRUE(needsAttention(side_));
+  EXPECT_EQ(shortTextOf(side_), "estimates late by 2.3 s: tracking is slower than the rows come");
+}
+
 TEST_F(SideWatchTest, NamesTheCameraAndTheStepOfAClock) {
   observe(State::kReceiving);
   side_.name = "cameras", side_.part = "left";
