@@ -249,8 +249,9 @@ std::string LiveIdentification::words() const {
                        collecting ? "The computation is slower than the session; the next one covers all."
                                   : "The computation from all of them is under way.");
   if (collecting) return wordsOf(extent);
-  return fmt::format("Stopped. The values are computed from {:.0f} s by the {}. {}", shown_.recorded,
-                     refined() ? "batch method" : "dual UKF", acceptText(shown_.estimates));
+  return fmt::format("Stopped. The values are computed from {:.0f} s by the {} {}", shown_.recorded,
+                     refined() ? "batch method." : "dual UKF; Refine computes more precise ones.",
+                     acceptText(shown_.estimates));
 }
 
 std::vector<RobotChange> LiveIdentification::changes() const {

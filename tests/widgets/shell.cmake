@@ -17,4 +17,4 @@ add_test(NAME shell_reach_doubled_test COMMAND xvfb-run -a -s "-screen 0 1920x10
 set_tests_properties(shell_reach_doubled_test PROPERTIES TIMEOUT 120 ENVIRONMENT "QT_SCALE_FACTOR=2")
 
 capstan_display_test(NAME first_session_test SOURCES shell_first_session_test.cpp LINKS capstan::shell)
-set_tests_properties(first_session_test PROPERTIES TIMEOUT 800)
+set_tests_properties(first_session_test PROPERTIES TIMEOUT 500)

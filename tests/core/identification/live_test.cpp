@@ -129,7 +129,8 @@ TEST(Live, SaysHowOldItsValuesAreOnlyWhereTheyLagBehindTheRecording) {
       << session.live.words();
   ASSERT_EQ(session.run(200.0), 1);
   EXPECT_EQ(session.live.words(),
-            "Stopped. The values are computed from 9 s by the dual UKF. Accept takes r_l1.");
+            "Stopped. The values are computed from 9 s by the dual UKF; Refine computes more precise ones. "
+            "Accept takes r_l1.");
 }
 
 TEST(Live, TheNextRunWaitsAsLongAsTheLastOneTook) {
