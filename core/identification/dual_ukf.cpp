@@ -54,7 +54,7 @@ struct Tally {
 
   void add(const ParameterFilter::Innovation& innovation, const ParameterFilter::Sensitivity& by_log,
            const CameraObservation& seen) {
-    const Matrix3d inverse = innovation.covariance.llt().solve(Matrix3d::Identity());
+    const Matrix3d inverse = innovation.noise_covariance.llt().solve(Matrix3d::Identity());
     for (Eigen::Index i = 0; i < information.size(); ++i)
       information(i) += innovation.by_unknown.col(i).dot(inverse * innovation.by_unknown.col(i));
     for (Eigen::Index joint = 0; joint < 3; ++joint) moved.row(joint) += by_log.row(2 * joint).cwiseAbs2();

@@ -135,11 +135,11 @@ ParameterFilter::Innovation ParameterFilter::update(const CameraObservation& see
   Innovation out;
   out.by_unknown = measurement.h;
   out.value = seen.tip - (centre + bend);
-  out.covariance = seen.tip_covariance + state_noise;
-  out.whole_covariance = out.covariance + difference * difference.transpose();
-  out.nis = out.value.dot(out.whole_covariance.llt().solve(out.value));
+  out.noise_covariance = seen.tip_covariance + state_noise;
+  out.innovation_covariance = out.noise_covariance + difference * difference.transpose();
+  out.nis = out.value.dot(out.innovation_covariance.llt().solve(out.value));
   out.weight = out.nis > huber * huber ? huber / std::sqrt(out.nis) : 1.0;
-  const estimation::Lower<3> root = (out.covariance / out.weight).llt().matrixL().toDenseMatrix();
+  const estimation::Lower<3> root = (out.noise_covariance / out.weight).llt().matrixL().toDenseMatrix();
   const Eigen::Vector3d y = out.value + measurement.h * filter_.mean();
   filter_.update(measurement, y, root);
   return out;

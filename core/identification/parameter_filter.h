@@ -45,8 +45,8 @@ class ParameterFilter {
   struct Innovation {
     Eigen::Vector3d value;                           ///< observed − predicted tip [m]
     Eigen::Matrix<double, 3, kUnknowns> by_unknown;  ///< d predicted tip / d unknown, from the sigma points
-    Eigen::Matrix3d covariance;                      ///< covariance of the measurement noise, as used [m²]
-    Eigen::Matrix3d whole_covariance;                ///< of `value`: of the noise and of the unknowns [m²]
+    Eigen::Matrix3d noise_covariance;                ///< of the measurement and of the state [m²]
+    Eigen::Matrix3d innovation_covariance;           ///< of `value`: of the noise and of the unknowns [m²]
     double nis = 0.0;     ///< normalized innovation squared: χ² with 3 degrees of freedom
     double weight = 1.0;  ///< Huber's weight; below 1 the observation is down-weighted
   };

@@ -13,7 +13,7 @@ void ScoreSpread::add(double t, const ParameterFilter::Innovation& innovation,
   if (t - discrepancy_start_ >= discrepancy_memory_) closeDiscrepancy(t);
   // With R alone, the first innovations, which are those of wrong parameters, would widen σ for minutes.
   const Eigen::Matrix3d inverse =
-      innovation.weight * innovation.whole_covariance.llt().solve(Eigen::Matrix3d::Identity());
+      innovation.weight * innovation.innovation_covariance.llt().solve(Eigen::Matrix3d::Identity());
   const auto& h = innovation.by_unknown;
   score_ += h.transpose() * inverse * innovation.value;
   block_information_ += h.transpose() * inverse * h;

@@ -7,9 +7,9 @@
 namespace capstan::identification {
 
 /// Ratio of the spread of a filter's scores to the spread that the filter assumes: the recursive form of the
-/// covariance in batch.h. It is measured over blocks of `block` seconds, and predicted for the forces of
-/// ModelDiscrepancy. Blocks count as independent and fade with time constant `memory`. Times count from the
-/// first observation.
+/// covariance in batch.h, of innovations whitened by their covariance. It is measured over blocks of `block`
+/// seconds, and predicted for the forces of ModelDiscrepancy. Blocks count as independent and fade with time
+/// constant `memory`. Times count from the first observation.
 class ScoreSpread {
  public:
   using Unknowns = ParameterFilter::Unknowns;

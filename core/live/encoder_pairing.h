@@ -36,7 +36,9 @@ class EncoderPairing {
   explicit EncoderPairing(bool awaited) : awaited_(awaited) {}
 
   void addMotors(Row row) {
-    if (!heard_) heard_ = row.arrival;
+    // Where both were silent, encoders come with the next rows.
+    if (!newest_arrival_ || row.arrival - *newest_arrival_ > kSilence) heard_ = row.arrival;
+    newest_arrival_ = row.arrival;
     rows_.push_back(std::move(row));
   }
   void addEncoders(const tracking::JointSample& joints, Clock::time_point arrival) {
@@ -104,8 +106,10 @@ class EncoderPairing {
   double newest_row_ = kNever, newest_encoders_ = kNever;           ///< taken, and come [s]
   tracking::EncoderStatus status_;                                  ///< its counts
   std::uint64_t consecutive_unmatched_ = 0, consecutive_late_ = 0;  ///< since the last match
-  std::optional<Clock::time_point> heard_;  ///< arrival of the newest encoders, or of the first row
-  bool silent_ = false;                     ///< encoders, when the newest row was taken
+  std::optional<Clock::time_point> newest_arrival_;                 ///< of a row
+  std::optional<Clock::time_point>
+      heard_;            ///< arrival of the newest encoders, or of the first row after a silence
+  bool silent_ = false;  ///< encoders, when the newest row was taken
 };
 
 }  // namespace capstan::live

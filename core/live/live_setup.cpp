@@ -1,6 +1,7 @@
 #include "core/live/live_setup.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <utility>
@@ -23,18 +24,25 @@ namespace {
   throw base::InputError({file, 0, field, value, reason, remedy});
 }
 
-void checkTopic(const std::string& file, const char* field, const std::string& value,
-                const std::string& topic) {
-  if (!topic.starts_with('/')) refuse(file, field, value, "is no name of a ROS topic", "Begin it with /");
+bool isTopicName(const std::string& text) {
+  const auto fits = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == '/'; };
+  return text.size() > 1 && text.front() == '/' && std::ranges::all_of(text, fits);
+}
+
+void checkTopic(const std::string& file, const char* field, const std::string& topic) {
+  if (!isTopicName(topic))
+    refuse(file, field, topic, "is no name of a ROS topic",
+           "Begin it with / and use letters, digits, _ and /");
 }
 
 void checkTopics(const LiveSetup& setup, const std::string& file) {
   const auto check = [&](const char* field, const std::string& address) {
-    if (isRosTopic(address)) checkTopic(file, field, address, rosTopicOf(address));
+    if (isRosTopic(address) && !isTopicName(rosTopicOf(address)))
+      refuse(file, field, address, "names no ROS topic",
+             "Write ros:/TOPIC with letters, digits, _ and /, such as ros:/stereo/left/image_raw");
   };
   check("motors.from", setup.motors.from);
-  if (!setup.motors.encoders.empty())
-    checkTopic(file, "motors.encoders", setup.motors.encoders, setup.motors.encoders);
+  if (!setup.motors.encoders.empty()) checkTopic(file, "motors.encoders", setup.motors.encoders);
   if (!setup.cameras) return;
   check("cameras.left", setup.cameras->left);
   check("cameras.right", setup.cameras->right);
@@ -63,7 +71,7 @@ void checkCommands(const CommandsSetup& commands, const std::string& file) {
                                                                {"commands.move_jp", &commands.move_jp},
                                                                {"commands.measured", &commands.measured}};
   for (const auto& [field, topic] : topics)
-    if (!topic->empty()) checkTopic(file, field, *topic, *topic);
+    if (!topic->empty()) checkTopic(file, field, *topic);
   if (!commands.names.empty() && commands.names.size() != 3)
     refuse(file, "commands.names", std::to_string(commands.names.size()) + " names", "are not three",
            "Give the names of the three joints of the arm, or none");

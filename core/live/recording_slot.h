@@ -61,7 +61,7 @@ class RecordingSlot {
   void offer(const tracking::Sample& sample) {
     t_ = tracking::arrivalOf(sample);
     observePause(false);
-    if (recorder_) recorder_->offer(sample);
+    if (recorder_ && !recorder_->offer(sample)) endIfFailed();
   }
   void offer(const tracking::Snapshot& snapshot) {
     if (auto sentence = gate_.observe(snapshot)) note(t_, "camera", std::move(*sentence));
@@ -108,6 +108,10 @@ class RecordingSlot {
   }
 
  private:
+  /// Its memory is given back; newest() keeps its state.
+  void endIfFailed() {
+    if (recorder_->stats().state == recording::RecorderState::kFailed) end();
+  }
   /// Whoever opens the recording later learns that it has gaps.
   void noteGaps() {
     const std::uint64_t dropped = recorder_->stats().dropped;

@@ -55,10 +55,10 @@ class SampleQueue {
     room_.notify_all();
   }
 
-  /// Time since the oldest sample was offered [s]; 0: empty.
+  /// Time since the oldest sample was offered [s]; 0: the queue is empty, or nothing was taken so far.
   double backlog() const {
     const std::lock_guard lock(mutex_);
-    if (samples_.empty()) return 0.0;
+    if (samples_.empty() || !begun_) return 0.0;
     return std::chrono::duration<double>(Clock::now() - samples_.front().offered).count();
   }
 
@@ -72,6 +72,7 @@ class SampleQueue {
     std::unique_lock lock(mutex_);
     come_.wait(lock, [&] { return closed_ || !samples_.empty(); });
     if (samples_.empty()) return {};
+    begun_ = true;
     const Clock::time_point offered = samples_.front().offered;
     out = std::move(samples_.front().sample);
     samples_.pop_front();
@@ -99,7 +100,7 @@ class SampleQueue {
   mutable std::mutex mutex_;
   std::condition_variable come_, room_;
   std::deque<Waiting> samples_;
-  bool closed_ = false;
+  bool closed_ = false, begun_ = false;
 };
 
 }  // namespace capstan::live

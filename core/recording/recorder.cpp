@@ -83,6 +83,7 @@ class Recorder::Impl {
   void note(SessionEvent event, std::optional<Eigen::Isometry3d> registration = {},
             std::optional<std::string> marker = {}) {
     const std::lock_guard lock(mutex_);
+    if (stats_.state != RecorderState::kRecording || closing_) return;
     messages_.push_back({seq_.fetch_add(1), std::move(event), std::move(registration), std::move(marker)});
   }
 
@@ -92,9 +93,9 @@ class Recorder::Impl {
       if (closing_) return;
       closing_ = true;
     }
+    recording_.store(false, std::memory_order_relaxed);  // an offer() that waits returns
     wake_.notify_all();
     thread_.join();
-    recording_.store(false, std::memory_order_relaxed);
     discardQueued();
     checkpointer_.stop();
     if (!finished_) finish();

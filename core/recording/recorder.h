@@ -89,7 +89,8 @@ class Recorder {
   /// Stores marker options (YAML) chosen while recording, as header entry; the event has their time.
   void setMarker(double t, const std::string& marker);
 
-  /// Writes the queued rows, moves the log into the file and ends the thread. Idempotent.
+  /// Writes the queued rows, moves the log into the file, ends the thread and releases the memory of the
+  /// images. No offer() of another thread may be under way or follow. Idempotent.
   void close();
 
   RecorderStats stats() const;  ///< any thread

@@ -19,8 +19,9 @@ std::string adviceFor(const SqliteError& error) {
 
 std::string intactText(std::uint64_t lost, double lost_time) {
   if (lost == 0) return "The file is closed and intact, with every row";
-  return fmt::format("The file is closed and intact. Its last {:.2f} s ({} rows) are missing", lost_time,
-                     lost);
+  return fmt::format(
+      "The file is closed and intact. The last {:.2f} s before the fault ({} rows) are not in it", lost_time,
+      lost);
 }
 
 std::string besideText(const std::filesystem::path& path) {

@@ -209,13 +209,13 @@ std::uint64_t rowsAsWritten(SqlitePages& pages, const base::Progress* progress) 
 }
 
 /// Pages of a session. If nothing states their size, it is that with which more rows are as they were
-/// written.
+/// written; the former size if none is, since former sessions have no check sums.
 SqlitePages pagesOf(const std::filesystem::path& session, const base::Progress* progress) {
   SqlitePages pages(session, kPageSize);
   if (pages.statesPageSize()) return pages;
   SqlitePages former(session, kFormerPageSize);
-  return rowsAsWritten(former, progress) > rowsAsWritten(pages, progress) ? std::move(former)
-                                                                          : std::move(pages);
+  return rowsAsWritten(former, progress) >= rowsAsWritten(pages, progress) ? std::move(former)
+                                                                           : std::move(pages);
 }
 
 }  // namespace

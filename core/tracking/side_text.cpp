@@ -13,7 +13,8 @@ std::string counted(std::uint64_t count, const std::string& one) {
   return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
 }
 
-/// What was lost or excluded so far: "3 missing, 12 dropped"; empty: nothing.
+/// Numbers of data that were lost or excluded so far, "3 missing, 12 dropped"; empty: none. The pairs of
+/// images from before their times are known are not among them: every session has some.
 std::string countsText(const SideStatus& side) {
   const std::pair<std::uint64_t, const char*> counts[] = {{side.missing, "missing"},
                                                           {side.repeated, "repeated"},
@@ -68,8 +69,7 @@ std::string shortTextOf(const SideStatus& side) {
       break;
   }
   if (isBehind(side))
-    return fmt::format("estimates late by {:.1f} s: tracking is slower than the {} come", side.backlog,
-                       side.counted + "s");
+    return fmt::format("tracking is {:.1f} s behind: it is slower than the incoming data", side.backlog);
   const std::string encoders = encodersText(side), counts = countsText(side);
   if (!encoders.empty() || counts.empty()) return encoders;
   return fmt::format("{}: {}", side.name, counts);
@@ -90,9 +90,8 @@ std::string encodersText(const SideStatus& side) {
           side.name, EncoderStatus::kWait.count());
     case Encoders::kSilent:
       return fmt::format(
-          "{}: joint encoders are silent at {}: check that it is published, or leave out encoders in the "
-          "live "
-          "set-up",
+          "{}: no joint encoders from {}: check that this topic is published with three finite positions, or "
+          "leave out encoders in the live set-up",
           side.name, side.encoders.from);
     case Encoders::kUsed:
       break;

@@ -48,8 +48,8 @@ ParameterFilter::Innovation innovation(double value) {
   made.value = {value, 0.0, 0.0};
   made.by_unknown.setZero();
   made.by_unknown(0, 0) = 1.0;
-  made.covariance.setIdentity();
-  made.whole_covariance.setIdentity();
+  made.noise_covariance.setIdentity();
+  made.innovation_covariance.setIdentity();
   made.nis = value * value;
   return made;
 }
@@ -69,6 +69,19 @@ TEST(ScoreSpread, CorrelatedInnovationsWidenSigma) {
     EXPECT_NEAR(std::pow(spread.factors(covariance)(0), 2), (1.0 + a) / (1.0 - a),
                 0.12 * (1.0 + a) / (1.0 - a));
   }
+}
+
+/// As at the beginning of a filter, whose parameters are far off as its covariance says.
+TEST(ScoreSpread, ExpectedInnovationsOfUnknownParametersDoNotWidenSigma) {
+  base::Random random(3, "scores");
+  ScoreSpread spread(1.0, 5.0, 1e9);
+  for (int k = 0; k < 20000; ++k) {
+    const double sigma = k < 1000 ? 100.0 : 1.0;
+    ParameterFilter::Innovation made = innovation(sigma * random.normal());
+    made.innovation_covariance *= sigma * sigma;
+    spread.add(0.1 * k, made, Eigen::Matrix3d::Zero());
+  }
+  EXPECT_NEAR(spread.factors(ScoreSpread::Square::Identity())(0), 1.0, 0.05);
 }
 
 /// An unknown force that moves the tip by d over n observations adds n² d² to the variance n of their scores.

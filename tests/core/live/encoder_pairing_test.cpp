@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace capstan::live {
 namespace {
 
@@ -103,27 +105,39 @@ TEST(EncoderPairing, AHiccupNowAndThenIsForgotten) {
   EXPECT_EQ(all.state, State::kUsed);
 }
 
+/// Motors from `begin` to `end` [ms] each ms, and encoders of the same stamps where `encoders`; the longest
+/// time for which one of the rows waits.
+int longestWait(EncoderPairing& pairing, int begin, int end, bool encoders) {
+  const EncoderPairing::Clock::time_point start{};
+  int longest = 0, oldest = begin;
+  for (int k = begin; k < end; ++k) {
+    const auto now = start + std::chrono::milliseconds(k);
+    pairing.addMotors({now, {1e-3 * k, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, {}});
+    if (encoders) pairing.addEncoders({1e-3 * k, {0, 0, 0}}, now);
+    for (EncoderPairing::Row row; pairing.take(now, row); ++oldest) {
+      longest = std::max(longest, k - oldest);
+      EXPECT_EQ(row.joints.has_value(), encoders);
+    }
+  }
+  return longest;
+}
+
 TEST(EncoderPairing, RowsDoNotWaitForSilentEncoders) {
   EncoderPairing pairing(true);
-  const EncoderPairing::Clock::time_point start{};
-  EncoderPairing::Row row;
-  const auto waitOf = [&](int k, bool encoders) {
-    const auto begin = start + std::chrono::milliseconds(k);
-    pairing.addMotors({begin, {1e-3 * k, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, {}});
-    if (encoders) pairing.addEncoders({1e-3 * k, {0, 0, 0}}, begin);
-    for (int wait = 0; wait < 100; ++wait)
-      if (pairing.take(begin + std::chrono::milliseconds(wait), row)) return wait;
-    return 100;
-  };
-  EXPECT_GT(waitOf(0, false), 15) << "they may come later than their motors";
+  EXPECT_GT(longestWait(pairing, 0, 300, false), 15) << "they may come later than their motors";
   EXPECT_EQ(pairing.status().state, State::kUsed);
-  EXPECT_EQ(waitOf(400, false), 0);
+  longestWait(pairing, 300, 400, false);
   EXPECT_EQ(pairing.status().state, State::kSilent);
-  EXPECT_EQ(waitOf(401, true), 0);
-  EXPECT_TRUE(row.joints);
+  EXPECT_EQ(longestWait(pairing, 400, 1000, false), 0);
+  EXPECT_EQ(longestWait(pairing, 1000, 1400, true), 0);
   EXPECT_EQ(pairing.status().state, State::kUsed) << "back";
-  EXPECT_EQ(waitOf(900, false), 0);
-  EXPECT_EQ(pairing.status().state, State::kSilent) << "silent again";
+}
+
+TEST(EncoderPairing, ASilenceOfTheMotorsIsNoneOfTheEncoders) {
+  EncoderPairing pairing(true);
+  EXPECT_EQ(longestWait(pairing, 0, 100, true), 0);
+  EXPECT_GT(longestWait(pairing, 5000, 5100, false), 15) << "after a pause of both";
+  EXPECT_EQ(pairing.status().state, State::kUsed);
 }
 
 TEST(EncoderPairing, RestartsWhereStampsStepBack) {

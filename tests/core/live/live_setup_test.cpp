@@ -14,12 +14,14 @@ std::string refusedTopic(const std::string& motors, const std::string& left = "r
                     "', calibration: ros}\n");
 }
 
-TEST(LiveSetup, ATopicBeginsWithASlash) {
+TEST(LiveSetup, TopicsHaveNamesOfRos) {
   EXPECT_EQ(refusedTopic("from: 'ros:/motors', encoders: /encoders"), "");
   EXPECT_EQ(refusedTopic("from: 'ros:motors'"), "motors.from");
   EXPECT_EQ(refusedTopic("from: 'ros:/motors', encoders: encoders"), "motors.encoders");
   EXPECT_EQ(refusedTopic("from: 'ros:/motors'", "ros:stereo/left"), "cameras.left");
   EXPECT_EQ(refusedTopic("from: 'ros:/motors'", "ros:/left", "ros:"), "cameras.right");
+  EXPECT_EQ(refusedTopic("from: 'ros:/motors'", "ros:/left-eye"), "cameras.left");
+  EXPECT_EQ(refusedTopic("from: 'ros:/motors'", "ros:/left image"), "cameras.left");
 }
 
 }  // namespace

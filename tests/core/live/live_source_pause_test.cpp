@@ -49,6 +49,9 @@ TEST(LiveSourcePause, RowsOfARobotThatDoesNotWaitAreDiscarded) {
   sender.send(rows());
   for (int k = 0; k < 500 && source.sides().front().received < kRows; ++k) std::this_thread::sleep_for(10ms);
   ASSERT_EQ(source.sides().front().received, kRows);
+  EXPECT_EQ(source.sides().front().backlog, 0.0) << "tracking has not begun";
+  tracking::Sample sample;
+  ASSERT_TRUE(source.next(sample));
   EXPECT_GT(source.sides().front().backlog, 0.0);
   source.discard();
   EXPECT_FALSE(source.ready(0ms));
@@ -58,12 +61,14 @@ TEST(LiveSourcePause, RowsOfARobotThatDoesNotWaitAreDiscarded) {
 TEST(LiveSourcePause, RowsOfASenderThatWaitsAreKept) {
   const StandardInput input(rows());
   LiveSource source(liveSetupOf("-", {}, {}));
-  source.discard();
+  for (int k = 0; k < 500 && source.sides().front().received < kRows; ++k) std::this_thread::sleep_for(10ms);
   tracking::Sample sample;
-  int motors = 0;
+  ASSERT_TRUE(source.next(sample));
+  EXPECT_EQ(source.sides().front().backlog, 0.0) << "they are expected to wait";
+  source.discard();
+  int motors = 1;
   while (source.next(sample)) motors += std::holds_alternative<tracking::MotorSample>(sample);
   EXPECT_EQ(motors, kRows);
-  EXPECT_EQ(source.sides().front().backlog, 0.0) << "they are expected to wait";
 }
 
 }  // namespace

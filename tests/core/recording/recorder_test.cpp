@@ -151,7 +151,7 @@ TEST(Recorder, TheMemoryOfItsImagesEndsWithTheRecording) {
 TEST(Recorder, ImagesThatDoNotFitIntoMemoryAreRefusedBeforeThereIsAFile) {
   const TemporaryFolder folder;
   RecorderOptions options;
-  options.width = options.height = 10'000'000;
+  options.width = options.height = 60'000;  // 1.5 TB, which mmap() may promise
   try {
     Recorder(folder / "a.capstan", header(), options);
     ADD_FAILURE() << "recorded";

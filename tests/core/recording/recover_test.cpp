@@ -279,17 +279,31 @@ TEST(Recover, OfAnotherFileNothingIsSaved) {
   EXPECT_THROW(recoverSession(folder / "none.capstan", folder / "b.capstan"), base::InputError);
 }
 
-/// Files of Capstan 0.2 have neither check sums nor the numbers of rows.
+/// Files of Capstan 0.2 have neither check sums nor the numbers of rows, and the former page size.
+void makeFormer(const std::filesystem::path& path) {
+  Database database(path, Database::Mode::kReadWrite);
+  for (const Table& table : tables()) database.run(fmt::format("ALTER TABLE {} DROP COLUMN crc", table.name));
+  database.run("DELETE FROM header WHERE key = 'rows'; PRAGMA user_version = 1");
+  database.run(fmt::format("PRAGMA page_size = {}; VACUUM", kFormerPageSize));
+}
+
+TEST(Recover, WithoutAFirstPageRowsOfTheFormerVersionAreSaved) {
+  const TemporaryFolder folder;
+  const auto path = sessionIn(folder);
+  const auto before = samplesOf(path);
+  makeFormer(path);
+  std::string bytes = bytesOf(path);
+  std::fill_n(bytes.begin(), kFormerPageSize, '\0');
+  write(path, bytes);
+  EXPECT_EQ(recoverSession(path, folder / "b.capstan").saved(), kRows + 1);
+  EXPECT_EQ(samplesOf(folder / "b.capstan"), before);
+}
+
 TEST(Recover, SessionsOfTheFormerVersionAreReadAndRecovered) {
   const TemporaryFolder folder;
   const auto path = sessionIn(folder);
   const auto before = samplesOf(path);
-  {
-    Database database(path, Database::Mode::kReadWrite);
-    for (const Table& table : tables())
-      database.run(fmt::format("ALTER TABLE {} DROP COLUMN crc", table.name));
-    database.run("DELETE FROM header WHERE key = 'rows'; PRAGMA user_version = 1");
-  }
+  makeFormer(path);
   EXPECT_EQ(samplesOf(path), before);
   const Recovery whole = recoverSession(path, folder / "b.capstan");
   EXPECT_TRUE(whole.whole()) << whole.fault;

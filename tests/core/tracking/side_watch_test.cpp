@@ -135,7 +135,7 @@ TEST_F(SideWatchTest, SaysThatEncodersAreSilent) {
   side_.encoders.state = EncoderStatus::State::kSilent, side_.encoders.from = "ros:/encoders";
   const Sentences said = observe(State::kReceiving);
   ASSERT_EQ(said.size(), 1U);
-  EXPECT_NE(said[0].find("joint encoders are silent at ros:/encoders"), std::string::npos) << said[0];
+  EXPECT_NE(said[0].find("no joint encoders from ros:/encoders"), std::string::npos) << said[0];
   EXPECT_EQ(shortTextOf(side_), said[0]) << "also in the status line";
   side_.encoders.state = EncoderStatus::State::kUsed;
   EXPECT_EQ(observe(State::kReceiving), Sentences{"motors: joint encoders are used"});
@@ -157,7 +157,7 @@ TEST_F(SideWatchTest, TheStatusLineSaysThatTrackingIsSlowerThanTheRobot) {
   EXPECT_FALSE(needsAttention(side_));
   side_.backlog = 2.34;
   EXPECT_TRUE(needsAttention(side_));
-  EXPECT_EQ(shortTextOf(side_), "estimates late by 2.3 s: tracking is slower than the rows come");
+  EXPECT_EQ(shortTextOf(side_), "tracking is 2.3 s behind: it is slower than the incoming data");
 }
 
 TEST_F(SideWatchTest, NamesTheCameraAndTheStepOfAClock) {
