@@ -120,10 +120,11 @@ TEST_F(CliFiles, LinksStayAndTheirTargetsAreWritten) {
 
 TEST_F(CliFiles, PipesStayAndTakeWhatIsWritten) {
   const std::string file = session("s.capstan");
-  const std::string readers = "cd " + folder_.string() +
-                              "; mkfifo csv json; for p in csv json; do timeout 60 cat $p > e.$p & done; ";
+  const std::string readers =
+      "cd " + folder_.string() + "; mkfifo csv json; for p in csv json; do timeout 60 cat $p > e.$p & done; ";
   const std::string end = "; exit=$?; wait; exit $exit";
-  EXPECT_EQ(run("track " + file + " --out " + path("csv") + " --json " + path("json") + end, readers).exit, 0);
+  EXPECT_EQ(run("track " + file + " --out " + path("csv") + " --json " + path("json") + end, readers).exit,
+            0);
   for (const char* name : {"csv", "json"}) {
     EXPECT_TRUE(fs::is_fifo(path(name)));
     EXPECT_GT(fs::file_size(path(std::string("e.") + name)), 100U);

@@ -12,9 +12,9 @@ namespace capstan::live {
 ///
 /// Up to kLate, images of a busy computer or network are later than from one whose clock is another: they are
 /// dated by the stamps, which at worst makes them too late for the filter, where the arrivals would date them
-/// wrongly. After an image that was no later than kLatest, after a step of a clock, and once the clocks differ,
-/// the limit is kLatest. Farther out, up to kFar, both are possible, and the images have no time until that
-/// has lasted for kDecide.
+/// wrongly. After an image that was no later than kLatest, after a step of a clock, and once the clocks
+/// differ, the limit is kLatest. Farther out, up to kFar, both are possible, and the images have no time
+/// until that has lasted for kDecide.
 ///
 /// Arrivals of a computer that stalls are late by seconds, on one side or on both. Clocks that have agreed
 /// for kPairs therefore agree until one of them steps, or until the lateness, followed by kDrift at most as

@@ -211,8 +211,7 @@ TEST(FilterGain, SaysWhichRecordingsItCannotUse) {
 
 TEST(FilterGain, WarnsOfARobotThatMakesAnEstimateWorse) {
   const auto warnings = [](const robot::Description& extended) {
-    const FilterGainReport report =
-        filterGain({plainEvidence()}, {plain().robot, plain().robot, extended});
+    const FilterGainReport report = filterGain({plainEvidence()}, {plain().robot, plain().robot, extended});
     return std::ranges::count_if(report.notices, [](const std::string& notice) {
       return notice.find("error of q1") != std::string::npos && notice.find("larger") != std::string::npos;
     });

@@ -18,7 +18,6 @@
 #include "widgets/panels/learning/table_picker.h"
 #include "widgets/panels/learning/trajectory_view.h"
 #include "widgets/scene/cloud_view.h"
-#include "widgets/scene/cloud_view.h"
 
 namespace capstan::widgets {
 
