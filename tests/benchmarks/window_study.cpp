@@ -31,6 +31,7 @@ namespace {
 
 using namespace capstan;
 using namespace capstan::widgets;
+using test::allocatedMegabytes;
 using test::residentMegabytes;
 
 /// Notes when the cameras' view has been painted, and how long after an input the figure was.
@@ -237,7 +238,9 @@ void memory(const QString& folder, QString file, int cycles, double minutes) {
     if (!cycle(window, file, 600)) return void(std::printf("cycle %d did not open\n", i));
     if (i == warm - 1) at_first = residentMegabytes();
     if (i % 10 == 9)
-      std::printf("  after %2d cycles %7.1f MB\n", i + 1, residentMegabytes()), std::fflush(stdout);
+      std::printf("  after %2d cycles %7.1f MB, of them allocated %7.1f MB\n", i + 1, residentMegabytes(),
+                  allocatedMegabytes()),
+          std::fflush(stdout);
   }
   if (cycles > warm)
     std::printf(

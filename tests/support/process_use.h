@@ -17,6 +17,12 @@ inline double residentMegabytes() {
   return resident * static_cast<double>(::sysconf(_SC_PAGESIZE)) / 1e6;
 }
 
+/// Memory that this program has allocated and not freed [MB].
+inline double allocatedMegabytes() {
+  const auto info = ::mallinfo2();
+  return static_cast<double>(info.uordblks + info.hblkhd) / 1e6;
+}
+
 /// Processor time of this process so far [s].
 inline double processorSeconds() {
   rusage used{};
