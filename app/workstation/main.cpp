@@ -13,6 +13,7 @@
 #include "app/version.h"
 #include "app/workstation/arguments.h"
 #include "app/workstation/closing_signals.h"
+#include "core/base/large_blocks.h"
 #include "core/math/dense.h"
 #include "widgets/scene/vtk_version.h"
 #include "widgets/shell/estimate_publisher.h"
@@ -118,6 +119,7 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  capstan::base::returnLargeBlocks();
   capstan::math::setDenseThreads(1);  // background work has threads of its own
   try {
     return run(argc, argv);

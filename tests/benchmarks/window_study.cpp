@@ -18,6 +18,7 @@
 #include <map>
 #include <sstream>
 
+#include "core/base/large_blocks.h"
 #include "core/simulation/simulation_request.h"
 #include "core/stats/quantile.h"
 #include "tests/support/folders.h"
@@ -267,6 +268,7 @@ void memory(const QString& folder, QString file, int cycles, double minutes) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  base::returnLargeBlocks();  // as the program does
   double seconds = 60.0, minutes = 30.0;
   int cycles = 50, points = 1'000'000;
   std::string session;
