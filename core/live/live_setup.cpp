@@ -30,6 +30,7 @@ bool isTopicName(const std::string& text) {
 }
 
 void checkTopic(const std::string& file, const char* field, const std::string& topic) {
+  if (isRosTopic(topic)) refuse(file, field, topic, "is no name of a ROS topic", "Write it without ros:");
   if (!isTopicName(topic))
     refuse(file, field, topic, "is no name of a ROS topic",
            "Begin it with / and use letters, digits, _ and /");
@@ -38,8 +39,7 @@ void checkTopic(const std::string& file, const char* field, const std::string& t
 void checkTopics(const LiveSetup& setup, const std::string& file) {
   const auto check = [&](const char* field, const std::string& address) {
     if (isRosTopic(address) && !isTopicName(rosTopicOf(address)))
-      refuse(file, field, address, "names no ROS topic",
-             "Write ros:/TOPIC with letters, digits, _ and /, such as ros:/stereo/left/image_raw");
+      refuse(file, field, address, "names no ROS topic", "Write ros:/TOPIC with letters, digits, _ and /");
   };
   check("motors.from", setup.motors.from);
   if (!setup.motors.encoders.empty()) checkTopic(file, "motors.encoders", setup.motors.encoders);

@@ -18,6 +18,7 @@ TEST(LiveSetup, TopicsHaveNamesOfRos) {
   EXPECT_EQ(refusedTopic("from: 'ros:/motors', encoders: /encoders"), "");
   EXPECT_EQ(refusedTopic("from: 'ros:motors'"), "motors.from");
   EXPECT_EQ(refusedTopic("from: 'ros:/motors', encoders: encoders"), "motors.encoders");
+  EXPECT_EQ(refusedTopic("from: 'ros:/motors', encoders: 'ros:/encoders'"), "motors.encoders");
   EXPECT_EQ(refusedTopic("from: 'ros:/motors'", "ros:stereo/left"), "cameras.left");
   EXPECT_EQ(refusedTopic("from: 'ros:/motors'", "ros:/left", "ros:"), "cameras.right");
   EXPECT_EQ(refusedTopic("from: 'ros:/motors'", "ros:/left-eye"), "cameras.left");
