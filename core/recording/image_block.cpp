@@ -12,7 +12,7 @@
 namespace capstan::recording {
 namespace {
 
-/// Memory that the system can give without swapping [bytes]; all there is where it does not say.
+/// Memory that the system can give without swapping [bytes]; no limit where it does not say.
 std::uint64_t availableMemory() {
   std::ifstream file("/proc/meminfo");
   std::string key;
