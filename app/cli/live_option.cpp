@@ -49,6 +49,17 @@ std::unique_ptr<live::LiveSource> openLive(const std::string& text, const std::s
   return source;
 }
 
+std::string unregisteredText(const tracking::SourceInfo& info) {
+  if (!info.rig || info.base_from_camera) return {};
+  return "the live set-up names no registration: the filter runs on kinematics. Register in the window "
+         "(capstan --live, Ctrl+R), and write the file into the set-up, as `registration:` of `cameras:`";
+}
+
+std::string nothingCameText(const std::vector<tracking::SideStatus>& sides) {
+  if (sides.empty() || sides.front().fault.empty()) return "no row came: nothing was tracked";
+  return "no row was accepted: nothing was tracked. The last fault: " + sides.front().fault;
+}
+
 SideNotices::SideNotices(std::function<std::vector<tracking::SideStatus>()> sides)
     : thread_([sides = std::move(sides)](const std::stop_token& stop) {
         constexpr std::chrono::milliseconds kPeriod{50};
@@ -99,6 +110,7 @@ nlohmann::json jsonOf(const std::vector<tracking::SideStatus>& sides) {
                    {"frozen", side.frozen},
                    {"connections", side.connections},
                    {"refused", side.refused},
+                   {"notices", side.notices},
                    {"times", std::move(times)},
                    {"latency", std::move(latency)},
                    {"clock", std::move(clock)}});

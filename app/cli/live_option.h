@@ -25,11 +25,15 @@ void addPublish(CLI::App& command, std::vector<std::string>& to);
 /// Outputs that --publish names, and says where they listen; null: none. Throws base::InputError
 /// (live::EstimateOutputs).
 std::unique_ptr<live::EstimateOutputs> makeEstimateOutputs(const std::vector<std::string>& to);
-/// Opens the robot that --live names and says where it listens. `duration` [s] after the first sample the
-/// source ends; 0: never. Throws base::InputError as
-/// live::liveSetupOf() and live::LiveSource.
+/// Opens the robot that --live names and says where it listens. The source ends `duration` [s] after its
+/// first sample; 0: never (LiveSource::endAfter()). Throws base::InputError as live::liveSetupOf() and
+/// live::LiveSource.
 std::unique_ptr<live::LiveSource> openLive(const std::string& text, const std::string& robot,
                                            const std::string& read_as, double duration);
+/// Sentence for a live source with cameras that are not registered, and what to do; empty: there is no need.
+std::string unregisteredText(const tracking::SourceInfo& info);
+/// Sentence for a live source that has ended without a row. `sides` are of its end.
+std::string nothingCameText(const std::vector<tracking::SideStatus>& sides);
 /// Prints a notice whenever a side of a live source falls silent, comes back, or its clock steps, for the
 /// lifetime of the object.
 class SideNotices {

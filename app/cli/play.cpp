@@ -223,6 +223,11 @@ std::string wordsOf(const live::PlayReport& report, std::size_t rows, const std:
   return text + "\n";
 }
 
+/// A receiver that has taken rows and ends the connection without a complaint has finished.
+bool isFailed(const live::PlayReport& report) {
+  return report.refused && (report.sent == 0 || !report.answer.empty());
+}
+
 void say(const PlayArguments& arguments, const Output& output, std::size_t rows, const Played& played) {
   nlohmann::json json;
   if (const auto& report = played.rows) {
@@ -272,7 +277,7 @@ ExitCode play(const PlayArguments& arguments) {
     played = playBoth(arguments, rows, images, table, progress);
   }
   say(arguments, output, count, played);
-  return (played.rows && played.rows->refused) || progress.cancelled() ? kFailed : kOk;
+  return (played.rows && isFailed(*played.rows)) || progress.cancelled() ? kFailed : kOk;
 }
 
 }  // namespace

@@ -47,6 +47,7 @@ ExitCode record(const RecordArguments& arguments) {
   std::unique_ptr<tracking::Source> source =
       openLive(arguments.live, arguments.robot, arguments.read_as, arguments.duration);
   const tracking::SourceInfo info = source->info();
+  if (const std::string text = unregisteredText(info); !text.empty()) notice(text);
   tracking::TrackingPipeline pipeline = tracking::makePipeline(info, tracking::trackingOptionsOf(info));
   auto runner = std::make_unique<live::Runner>(std::move(source), std::move(pipeline));
   if (feed || outputs)
@@ -70,6 +71,8 @@ ExitCode record(const RecordArguments& arguments) {
   const auto recorder = runner->recorder();
   runner.reset();  // closes the recording
   const recording::RecorderStats stats = recorder->stats();
+  const bool empty = stats.written == 0 && stats.error.empty();
+  if (empty) std::filesystem::remove(arguments.out);
   output.text(textOf(report, info, 0.0) + healthText(health) + textOf(status.sides) +
               fmt::format("{}: {} rows written, {} dropped, {} lost, {:.1f} MB\n", arguments.out,
                           stats.written, stats.dropped, stats.lost, 1e-6 * static_cast<double>(stats.bytes)));
@@ -84,6 +87,7 @@ ExitCode record(const RecordArguments& arguments) {
                {"live", jsonOf(status.sides)}});
   if (!stats.error.empty()) notice(stats.error);
   if (!status.error.empty()) notice(status.error);
+  if (empty) notice(fmt::format("{}; {} is not kept", nothingCameText(status.sides), arguments.out));
   const std::uint64_t missing = stats.dropped + stats.lost;
   if (missing > 0 && stats.error.empty()) notice(recording::gapsText(missing));
   return missing == 0 && stats.error.empty() && status.error.empty() && report.motor_samples > 0 ? kOk
@@ -97,7 +101,10 @@ void addRecord(CLI::App& app, ExitCode& exit) {
   CLI::App* command = app.add_subcommand("record", "Track a robot live and record the session");
   addLive(*command, arguments->live)->required();
   command->add_option("--out", arguments->out, "session file to write (.capstan)")->required();
-  command->add_option("--duration", arguments->duration, "end after this time [s]; default: until Ctrl-C")
+  command
+      ->add_option("--duration", arguments->duration,
+                   "end after this time [s], from the first row (without a row: 10 s later, from the\n"
+                   "start); default: until Ctrl-C")
       ->check(CLI::Range(0.1, 86400.0));
   command->add_option("--robot", arguments->robot, "nominal robot file; default: the left RAVEN-II");
   addReadAs(*command, arguments->read_as);

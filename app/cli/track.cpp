@@ -160,9 +160,7 @@ ExitCode track(TrackArguments& arguments, const CLI::App& command) {
     notice(
         arguments.live.empty()
             ? "no registration is stored with this recording: the filter runs on kinematics (see --register)"
-            : "the live set-up names no registration: the filter runs on kinematics. Register in the window "
-              "(capstan --live, Ctrl+R), and write the file into the set-up, as `registration:` of "
-              "`cameras:`, or give it with --register");
+            : unregisteredText(info) + ", or give it with --register");
   }
   if (!arguments.save_registration.empty() && !info.base_from_camera)
     refuseOption("--save-registration", arguments.save_registration, "has no registration to write",
@@ -231,7 +229,9 @@ ExitCode track(TrackArguments& arguments, const CLI::App& command) {
   if (text_here) output.text(text);
   output.json(document);
   if (report.cancelled) notice("cancelled: the numbers cover the time until then");
-  if (report.motor_samples == 0) notice("the recording holds no motor sample: nothing was tracked");
+  if (report.motor_samples == 0)
+    notice(live ? nothingCameText(source->sides())
+                : "the recording holds no motor sample: nothing was tracked");
   return report.cancelled || report.motor_samples == 0 ? kFailed : kOk;
 }
 
@@ -305,7 +305,9 @@ void addTrack(CLI::App& app, ExitCode& exit) {
   addSimulationOptions(*command, arguments->simulation);
   command->get_option("--duration")
       ->description(
-          "duration of the movement [s]; with --live: end after this time; default there: until Ctrl-C");
+          "duration of the movement [s]; with --live: end after this time, from the first row (without a "
+          "row:\n"
+          "10 s later, from the start); default there: until Ctrl-C");
   command->footer(
       "Examples:\n"
       "  capstan-cli track trial.capstan --out estimates.csv\n"

@@ -40,7 +40,7 @@ std::string sentence(const InputFault& fault) {
   if (!fault.value.empty()) text += (fault.key.empty() ? "" : " = ") + excerpt(fault.value);
   if (!fault.key.empty() || !fault.value.empty()) text += ": ";
   text += fault.reason;
-  if (!fault.remedy.empty()) text += ". " + fault.remedy;
+  if (!fault.remedy.empty()) text += (fault.remedy.front() == '\n' ? "" : ". ") + fault.remedy;
   return plain(text);
 }
 

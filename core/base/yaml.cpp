@@ -27,6 +27,15 @@ void refuseYaml(const YAML::Node& node, const YamlPlace& place, const std::strin
   throw InputError({place.file, lineOf(node), place.key, scalarText(node), reason, remedy});
 }
 
+void refuseLength(const YAML::Node& node, const YamlPlace& place, std::size_t wanted) {
+  const std::size_t count = node.size();
+  throw InputError(
+      {place.file, lineOf(node), place.key, fmt::format("{} value{}", count, count == 1 ? "" : "s"),
+       fmt::format("is not the number that this list needs, {}", wanted),
+       fmt::format("Give {} values, as in {}: [{}]", wanted, place.key.substr(place.key.rfind('.') + 1),
+                   fmt::join(std::vector<std::string>(wanted, "…"), ", "))});
+}
+
 std::string readTextFile(const std::filesystem::path& path, std::uint64_t most) {
   std::ifstream in(path, std::ios::binary);
   if (!in || std::filesystem::is_directory(path))

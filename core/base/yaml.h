@@ -29,6 +29,8 @@ struct YamlPlace {
 };
 
 /// Throws an InputError about `node` at `place`, with its line and value.
+/// Throws InputError for a list that has not `wanted` values.
+[[noreturn]] void refuseLength(const YAML::Node& node, const YamlPlace& place, std::size_t wanted);
 [[noreturn]] void refuseYaml(const YAML::Node& node, const YamlPlace& place, const std::string& reason,
                              const std::string& remedy = {});
 /// Limits of a YAML text: files of strangers may be made to exhaust memory or stack. The largest file of
@@ -179,7 +181,7 @@ void readInto(T& value, const YAML::Node& node, const YamlPlace& place, const Fi
     if constexpr (IsVector<T>::value)
       value.resize(node.size());
     else if (node.size() != value.size())
-      refuseYaml(node, place, "is not a list of " + std::to_string(value.size()));
+      refuseLength(node, place, value.size());
     for (std::size_t i = 0; i < node.size(); ++i)
       readInto(value[i], node[i], {place.file, place.key + "[" + std::to_string(i) + "]"}, info);
   } else {

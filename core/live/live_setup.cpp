@@ -100,6 +100,16 @@ void check(const LiveSetup& setup, const std::string& file) {
   recording::parseReadAs(setup.motors.read_as, "motors.read_as");
 }
 
+/// Whether `text` is HOST:PORT, an address without tcp://.
+bool isBareAddress(const std::string& text) {
+  const std::size_t colon = text.rfind(':');
+  if (colon == std::string::npos || colon == 0 || colon + 1 == text.size() ||
+      text.find('/') != std::string::npos)
+    return false;
+  return std::all_of(text.begin() + static_cast<std::ptrdiff_t>(colon) + 1, text.end(),
+                     [](unsigned char c) { return std::isdigit(c) != 0; });
+}
+
 bool isFifo(const std::string& path) { return std::filesystem::is_fifo(path); }
 
 /// Returns work(). An InputError that names no file, or `file` without a line, is rethrown with file and
@@ -149,6 +159,23 @@ LiveSetup readLiveSetup(const std::filesystem::path& path) {
   return resolvedFrom(std::move(setup), path.parent_path());
 }
 
+std::vector<std::string> fieldsNotUsed(const RowsSetup& rows) {
+  const RowsSetup defaults;
+  std::vector<std::string> unused;
+  const auto add = [&](const char* field, bool given) {
+    if (given) unused.emplace_back(field);
+  };
+  if (isRosTopic(rows.from)) {
+    add("read_as", !rows.read_as.empty());
+    return unused;
+  }
+  add("encoders", !rows.encoders.empty());
+  add("names", !rows.names.empty());
+  add("zero", rows.zero != defaults.zero);
+  add("arm", rows.arm != defaults.arm);
+  return unused;
+}
+
 LiveSetup resolvedFrom(LiveSetup setup, const std::filesystem::path& folder) {
   const auto beside = [&](std::string& file) {
     if (!file.empty()) file = (folder / file).string();
@@ -181,6 +208,8 @@ LiveSetup liveSetupOf(const std::string& text, const std::string& robot, const s
     check(setup, {});
     return setup;
   }
+  if (!std::filesystem::exists(text) && isBareAddress(text))
+    refuse({}, "--live", text, "is no file", "Write tcp://" + text + " to listen at this address");
   LiveSetup setup = readLiveSetup(text);
   checkNamedFiles(setup, text);
   if (!robot.empty() && !setup.robot.empty())

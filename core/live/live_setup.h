@@ -155,6 +155,8 @@ struct LiveSetup {
   bool operator==(const LiveSetup&) const = default;
 };
 
+/// Fields of the motor side that are given, yet are not used for its address, as "encoders".
+std::vector<std::string> fieldsNotUsed(const RowsSetup& rows);
 /// The set-up with relative paths of files as paths from `folder`. A path of a video file stays if there is
 /// no such file in the folder.
 LiveSetup resolvedFrom(LiveSetup setup, const std::filesystem::path& folder);

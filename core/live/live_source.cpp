@@ -1,5 +1,8 @@
 #include "core/live/live_source.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <limits>
 
 #include "core/base/yaml.h"
@@ -37,6 +40,9 @@ LiveSource::LiveSource(const LiveSetup& setup) : queue_(kCapacity) {
   info_.reference = setup.motors.reference;
   info_.real_time = true;
   info_.sender_waits = piped;
+  if (const std::vector<std::string> unused = fieldsNotUsed(setup.motors); !unused.empty())
+    info_.notices.push_back(fmt::format("live set-up: not used for {}: motors.{}", setup.motors.from,
+                                        fmt::join(unused, ", motors.")));
   std::unique_ptr<RowInput> input;
   // Messages of motors carry joints only where the robot has computed them from its motors.
   info_.own_kinematics =
@@ -68,7 +74,7 @@ LiveSource::LiveSource(const LiveSetup& setup) : queue_(kCapacity) {
   const RowFacts facts = rows_->waitForFirst();
   info_.reference = facts.reference;
   info_.begin = facts.begin;
-  info_.notices = facts.notices;
+  info_.notices.insert(info_.notices.end(), facts.notices.begin(), facts.notices.end());
 }
 
 LiveSource::~LiveSource() {
@@ -106,8 +112,10 @@ bool LiveSource::ready(std::chrono::milliseconds wait) {
 }
 
 bool LiveSource::timeIsUp() const {
+  if (duration_ <= 0.0) return false;
   const std::chrono::duration<double> length(duration_);
-  return duration_ > 0.0 && begin_ && SampleQueue::Clock::now() - begun_at_ > length + kLate;
+  const std::chrono::seconds late = begin_ ? kLate : kLateBegin;
+  return SampleQueue::Clock::now() - begun_at_ > length + late;
 }
 
 void LiveSource::discard() {

@@ -23,9 +23,9 @@ class LiveSource final : public tracking::Source, public Commandable {
   explicit LiveSource(const LiveSetup& setup);
   ~LiveSource() override;
 
-  /// Ends the source `seconds` after its first sample, by the session's clock; where no samples come, by that
-  /// of this computer, kLate later.
-  void endAfter(double seconds) { duration_ = seconds; }
+  /// Ends the source `seconds` after its first sample, by the session's clock; where no more samples come, by
+  /// that of this computer, kLate later. Where none ever comes: kLateBegin after that time from now.
+  void endAfter(double seconds) { duration_ = seconds, begun_at_ = SampleQueue::Clock::now(); }
 
   const tracking::SourceInfo& info() const override { return info_; }
   bool next(tracking::Sample& out) override;
@@ -57,9 +57,9 @@ class LiveSource final : public tracking::Source, public Commandable {
   std::optional<robot::Transmission> transmission_;  ///< of the robot that is commanded
   double duration_ = 0.0;
   std::optional<double> begin_;                ///< session time of the first sample [s]
-  SampleQueue::Clock::time_point begun_at_{};  ///< when it came
+  SampleQueue::Clock::time_point begun_at_{};  ///< when it came; before, when endAfter() was called
   bool left_blocked_ = false, right_blocked_ = false;
 };
-inline constexpr std::chrono::seconds kLate{2};
+inline constexpr std::chrono::seconds kLate{2}, kLateBegin{10};
 
 }  // namespace capstan::live

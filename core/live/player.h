@@ -38,7 +38,7 @@ struct PlayOptions {
 
 struct PlayReport {
   std::uint64_t sent = 0, withheld = 0;  ///< rows
-  std::uint64_t lost = 0;                ///< rows that were due while nobody listened (PlayOptions::keep_on)
+  std::uint64_t lost = 0;                ///< rows that were due while nobody listened
   std::uint64_t connections = 1;
   double seconds = 0.0;  ///< of sending
   std::string answer;    ///< last answer of the receiver; empty: none

@@ -70,6 +70,11 @@ void RosPlayer::publish(const Sample& sample, double stamp) {
       writer->second.publish(message.bytes);
 }
 
+bool RosPlayer::hasSubscriber() const {
+  const auto motors = writers_.find(ros1::ourTopics().motors);
+  return motors != writers_.end() && motors->second.subscribers() > 0;
+}
+
 /// A message that ends too early.
 void RosPlayer::publishDamaged(const Sample& sample) {
   ros1::OutMessage message = messages_.of(sample, ros_begin_).front();
@@ -102,7 +107,7 @@ PlayReport RosPlayer::playRows(tracking::Source& source, const PlayClock& clock,
       clock.waitUntil(played->due);
       if (played->garbage) publishDamaged(*shown);
       for (int times = played->twice ? 2 : 1; times > 0; --times) publish(*shown, played->stamp);
-      ++report.sent;
+      ++(hasSubscriber() ? report.sent : report.lost);
     }
     if (progress && row % 256 == 0 && source.info().duration > 0.0)
       progress->report((t - clock.begin) / source.info().duration, "playing");

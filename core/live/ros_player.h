@@ -35,6 +35,7 @@ class RosPlayer {
 
  private:
   void publish(const tracking::Sample& sample, double stamp);
+  bool hasSubscriber() const;  ///< the topic of motors
   void publishDamaged(const tracking::Sample& sample);
 
   ros1::SampleMessages messages_;

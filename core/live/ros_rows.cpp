@@ -32,13 +32,14 @@ void dropEmpty(recording::TableColumns& columns) {
 
 RosRows::RosRows(const RowsSetup& setup, const robot::Description& robot)
     : topic_(rosTopicOf(setup.from)),
-      encoders_from_("ros:" + setup.encoders),
+      encoders_from_(setup.encoders.empty() ? "" : "ros:" + setup.encoders),
       choice_(choiceOf(setup)),
       software_(robot),
       motors_(topic_, kCapacity),
       encoders_(setup.encoders.empty() ? nullptr
                                        : std::make_unique<ros1::TopicReader>(setup.encoders, kCapacity)),
       hint_(topic_, ros1::carriesMotors, "motors"),
+      encoders_hint_(setup.encoders, ros1::isJointState, "joint encoders"),
       pairing_(encoders_ != nullptr) {}
 
 ReadState RosRows::read(std::chrono::milliseconds wait) {
@@ -102,10 +103,19 @@ void RosRows::takeEncoders(const ros1::TopicMessage& message) {
   if (const auto joints = ros1::jointOf(state, t)) pairing_.addEncoders(*joints, message.arrival);
 }
 
+/// Asks the master why no encoders come, as long as nobody has published any.
+void RosRows::noteSilentEncoders() {
+  if (pairing_.status().state != tracking::EncoderStatus::State::kSilent)
+    encoders_reason_.clear();
+  else if (encoders_->connections() == 0)
+    encoders_reason_ = encoders_hint_.ask().value_or(encoders_reason_);
+}
+
 std::optional<recording::MeasuredTable> RosRows::take() {
   for (; !received_.empty(); received_.pop_front()) takeMotors(received_.front());
   for (; !received_encoders_.empty(); received_encoders_.pop_front())
     takeEncoders(received_encoders_.front());
+  noteSilentEncoders();
   recording::MeasuredTable table;
   table.file = name();
   table.own_kinematics = raven_.has_value();

@@ -34,6 +34,7 @@ class RosRows final : public RowInput {
   tracking::EncoderStatus encoders() const override {
     tracking::EncoderStatus status = pairing_.status();
     status.from = encoders_from_;
+    status.reason = encoders_reason_;
     return status;
   }
   std::optional<std::int64_t> rosStampOfZero() const override {
@@ -45,6 +46,7 @@ class RosRows final : public RowInput {
   M decoded(const ros1::TopicMessage& message) const;
   void takeMotors(const ros1::TopicMessage& message);
   void takeEncoders(const ros1::TopicMessage& message);
+  void noteSilentEncoders();
   double timeOf(std::int64_t stamp);
 
   const std::string topic_, encoders_from_;
@@ -55,7 +57,8 @@ class RosRows final : public RowInput {
   std::optional<ros1::RavenStateLayout> raven_;
   std::int64_t origin_ = 0;  ///< first stamp [ns]; 0: none yet
   std::uint64_t connections_ = 0;
-  TopicHint hint_;
+  TopicHint hint_, encoders_hint_;
+  std::string encoders_reason_;                                  ///< why none come; empty: not known
   std::deque<ros1::TopicMessage> received_, received_encoders_;  ///< that take() has not decoded yet
   EncoderPairing pairing_;
 };

@@ -114,7 +114,7 @@ void RowSide::noteHint() {
 }
 
 void RowSide::begin(bool replaced) {
-  motors_judged_ = false;
+  motors_judged_ = noticed_ = false;
   times_.reconnect();
   const std::lock_guard lock(mutex_);
   ++status_.connections;
@@ -127,9 +127,21 @@ void RowSide::begin(bool replaced) {
                               status_.from, TcpListener::kPatience.count());
 }
 
+/// Remarks on the first rows of a program.
+void RowSide::notice(const recording::MeasuredTable& table) {
+  if (faults_ == Faults::kEnd) return;  // RowFacts
+  std::vector<std::string> notices = recording::noticesOf(table);
+  const bool encoders_of_their_own = !input_->encoders().from.empty();
+  if (reference_ && table.q.empty() && !encoders_of_their_own)
+    notices.push_back(table.file + ": no joint encoders come (columns q): there is no reference");
+  const std::lock_guard lock(mutex_);
+  status_.notices = std::move(notices);
+}
+
 void RowSide::pass(recording::MeasuredTable table) {
   recording::checkForTracking(table, robot_);
   if (!motors_judged_) motors_judged_ = arrangement_.check(table);
+  if (!std::exchange(noticed_, true)) notice(table);
   input_->confirm();
   if (!reference_) table.q.clear();
   if (faults_ == Faults::kEnd) {

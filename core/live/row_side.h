@@ -63,6 +63,7 @@ class RowSide {
   void readOnce();
   void noteHint();
   void begin(bool replaced);
+  void notice(const recording::MeasuredTable& table);
   void pass(recording::MeasuredTable table);
   double waitUntilDue(double stamp);
   void deliverKept(recording::MeasuredTable table, std::vector<bool>& keep, double arrival);
@@ -81,7 +82,7 @@ class RowSide {
   RowTimes times_;
   std::promise<RowFacts> first_;
   bool first_known_ = false, ended_ = false;
-  bool motors_judged_ = false;  ///< those of the program that is connected
+  bool motors_judged_ = false, noticed_ = false;  ///< those of the program that is connected
   std::atomic<bool> quit_{false};
   std::atomic<bool> held_up_{false};  ///< waits for room in the queue: the sender is not silent
 

@@ -1,15 +1,18 @@
 #include "core/recording/measured_table.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <iterator>
 #include <limits>
 #include <set>
 
+#include "core/base/edit_distance.h"
 #include "core/base/error.h"
 #include "core/table_files/read_columns.h"
 #include "core/table_files/write_columns.h"
@@ -55,6 +58,26 @@ const Quantity* quantityOf(std::string_view name, std::size_t& index) {
   return nullptr;
 }
 
+/// Letters and digits of a column's name, in lower case: what a person reads of it.
+std::string lettersOf(std::string_view name) {
+  std::string letters;
+  for (const unsigned char c : name)
+    if (std::isalnum(c) != 0) letters += static_cast<char>(std::tolower(c));
+  return letters;
+}
+
+/// Whether the name of an unused column is probably a misspelled `meant`.
+bool isMisspelled(std::string_view unused, std::string_view meant) {
+  constexpr std::size_t kLongest = 24;  // of a name that is examined
+  if (unused.size() > kLongest) return false;
+  const std::string letters = lettersOf(unused), of_meant = lettersOf(meant);
+  if (meant == "t")
+    return letters == "t" || letters.find("time") != std::string::npos ||
+           letters.find("stamp") != std::string::npos;
+  if (letters.empty() || letters.back() != of_meant.back()) return false;  // the number of the joint
+  return base::editDistance(letters, of_meant) <= (of_meant.size() - 1) / 2;
+}
+
 /// Columns by (quantity, index) while they are being found, in any order.
 class ColumnCollector {
  public:
@@ -88,13 +111,9 @@ class ColumnCollector {
 
   void finish() {
     if (!seen_.contains("t"))
-      throw base::InputError({table_.file,
-                              table_.lines.header(),
-                              "t",
-                              {},
-                              "is not among the columns",
-                              "Add the column t: time [s], strictly increasing. Tables of tip poses are read "
-                              "by diagnose and learn"});
+      refuseMissing(table_, "t", "is not among the columns",
+                    "Add the column t: time [s], strictly increasing. Tables of tip poses are read by "
+                    "diagnose and learn");
     std::size_t joints = 0;
     for (std::size_t i = 0; i < kQuantities.size(); ++i)
       if (kQuantities[i].by_joint) joints = std::max(joints, lastPresent(found_[i]));
@@ -104,13 +123,11 @@ class ColumnCollector {
       const std::size_t want = kQuantities[i].by_joint ? joints : 3;
       for (std::size_t k = 0; k < want; ++k) {
         if (!found_[i][k].present)
-          throw base::InputError(
-              {table_.file,
-               table_.lines.header(),
-               columnName(kQuantities[i], k),
-               {},
-               "is missing, but other columns of this quantity exist",
-               fmt::format("Give all {} columns of {}, or none", want, kQuantities[i].prefix)});
+          refuseMissing(
+              table_, columnName(kQuantities[i], k), reasonOf(i, have, want),
+              have == want
+                  ? fmt::format("Add it, or correct the number in {}", columnName(kQuantities[i], have - 1))
+                  : fmt::format("Add it, or remove the columns of {}", kQuantities[i].prefix));
         (table_.*kQuantities[i].columns).push_back(std::move(found_[i][k].values));
       }
     }
@@ -121,6 +138,12 @@ class ColumnCollector {
     bool present = false;
     std::vector<double> values;
   };
+  /// Why the columns of quantity `i`, of which the last is number `have`, are not complete.
+  static std::string reasonOf(std::size_t i, std::size_t have, std::size_t want) {
+    const Quantity& quantity = kQuantities[i];
+    if (have == want) return fmt::format("is missing, yet the table has {}", columnName(quantity, have - 1));
+    return fmt::format("is missing, yet other columns are numbered up to {}", want);
+  }
   static std::size_t lastPresent(const std::vector<Found>& columns) {
     std::size_t last = 0;
     for (std::size_t k = 0; k < columns.size(); ++k)
@@ -159,6 +182,34 @@ int MeasuredTable::joints() const {
   for (const Quantity& quantity : kQuantities)
     if (quantity.by_joint) most = std::max(most, (this->*quantity.columns).size());
   return static_cast<int>(most);
+}
+
+void refuseMisspelled(const MeasuredTable& table, const std::string& name) {
+  for (const std::string& unused : table.ignored)
+    if (isMisspelled(unused, name))
+      throw base::InputError({table.file,
+                              table.lines.header(),
+                              unused,
+                              {},
+                              fmt::format("is no column of a measured table; {} is missing", name),
+                              fmt::format("Rename it to {}, if that is what it holds", name)});
+}
+
+void refuseMissing(const MeasuredTable& table, const std::string& name, const std::string& reason,
+                   const std::string& remedy) {
+  refuseMisspelled(table, name);
+  const std::string unused =
+      table.ignored.empty() ? "" : fmt::format("; not used are {}", fmt::join(table.ignored, ", "));
+  throw base::InputError({table.file, table.lines.header(), name, {}, reason + unused, remedy});
+}
+
+std::string columnMeantBy(const MeasuredTable& table, std::string_view name) {
+  for (const Quantity& quantity : kQuantities) {
+    const int most = quantity.by_joint ? std::min(table.joints() + 1, kMaxJoints) : 3;
+    for (auto k = (table.*quantity.columns).size(); k < static_cast<std::size_t>(most); ++k)
+      if (const std::string meant = columnName(quantity, k); isMisspelled(name, meant)) return meant;
+  }
+  return {};
 }
 
 MeasuredTable readMeasuredTable(const table_files::ColumnReader& columns, const std::string& file) {

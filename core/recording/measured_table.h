@@ -45,6 +45,15 @@ MeasuredTable readMeasuredTable(const table_files::ColumnReader& columns, const 
 MeasuredTable parseMeasuredTable(std::string_view text, const std::string& file);
 /// The same without the order of times: rows of a live stream, of which some may be repeated.
 MeasuredTable parseMeasuredRows(std::string_view text, const std::string& file);
+/// Throws base::InputError if an unused column of `table` probably is the column `name`, misspelled.
+void refuseMisspelled(const MeasuredTable& table, const std::string& name);
+/// Throws base::InputError for the column `name`, which `table` lacks: as refuseMisspelled(), else with
+/// `reason` and `remedy`.
+[[noreturn]] void refuseMissing(const MeasuredTable& table, const std::string& name,
+                                const std::string& reason, const std::string& remedy);
+/// Column that `table` lacks and that its unused column `name` probably stands for, as q_m3 for qm3; empty:
+/// none.
+std::string columnMeantBy(const MeasuredTable& table, std::string_view name);
 /// Throws base::InputError for the first row whose time is not above that of the row before; for the first
 /// row, `before` [s].
 void checkTimes(const MeasuredTable& table, double before);

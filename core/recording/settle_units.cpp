@@ -29,6 +29,18 @@ std::string keepAll(const std::vector<UnitFinding>& findings) {
   return text;
 }
 
+/// A unit in which the values are plausible need not be theirs.
+std::string remedyFor(const MeasuredTable& table, const std::vector<UnitFinding>& findings) {
+  const std::string proposed = proposedReadAs(table, findings), keep = keepAll(findings);
+  const std::string convert =
+      proposed == keep ? "" : fmt::format("If these are their units, read it with --read-as {}. ", proposed);
+  return fmt::format(
+      "\n{}If the values are right as they are, read it with --read-as {}. A table of another robot needs "
+      "its "
+      "robot file",
+      convert, keep);
+}
+
 bool anyImplausible(const std::vector<UnitFinding>& findings) {
   return std::any_of(findings.begin(), findings.end(), [](const UnitFinding& f) { return f.implausible; });
 }
@@ -83,9 +95,7 @@ ImplausibleUnits::ImplausibleUnits(const MeasuredTable& table, std::vector<UnitF
            {},
            {},
            "columns that are implausible for this robot in SI units. Nothing was read:" + linesOf(findings),
-           fmt::format("\nConvert it with --read-as {}, or leave it unconverted with --read-as {}. A "
-                       "table of another robot needs its robot file",
-                       proposedReadAs(table, findings), keepAll(findings))}),
+           remedyFor(table, findings)}),
       findings_(std::move(findings)) {}
 
 void settleUnits(MeasuredTable& table, const robot::Description& robot, const ReadAs& read_as) {

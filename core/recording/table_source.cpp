@@ -25,13 +25,10 @@ Eigen::Vector3d rowOf(const TableColumns& columns, std::size_t row) {
 
 void checkForTracking(const MeasuredTable& table, const robot::Description& robot) {
   if (table.q_m.empty())
-    throw base::InputError(
-        {table.file,
-         table.lines.header(),
-         "q_m1",
-         {},
-         "is not among the columns",
-         "Add the motor positions q_m1 … q_m3 [rad, from the hard stop]: tracking starts from them"});
+    refuseMissing(table, "q_m1", "is not among the columns",
+                  "Add the motor positions q_m1 … q_m3 [rad, from the hard stop]: tracking starts from them");
+  for (int motor = table.joints() + 1; motor <= robot.size(); ++motor)
+    refuseMisspelled(table, fmt::format("q_m{}", motor));
   if (table.joints() != 3 || robot.size() != 3)
     throw base::InputError(
         {table.file,
@@ -73,8 +70,13 @@ TableSource::TableSource(MeasuredTable table, const robot::Description& robot) :
 std::vector<std::string> noticesOf(const MeasuredTable& table) {
   std::vector<std::string> notices;
   for (const std::string& line : unitNotices(table)) notices.push_back(table.file + ": " + line);
-  if (!table.ignored.empty())
-    notices.push_back(fmt::format("{}: columns not used: {}", table.file, fmt::join(table.ignored, ", ")));
+  if (table.ignored.empty()) return notices;
+  std::vector<std::string> unused;
+  for (const std::string& name : table.ignored) {
+    const std::string meant = columnMeantBy(table, name);
+    unused.push_back(meant.empty() ? name : fmt::format("{} (rename it, if it is {})", name, meant));
+  }
+  notices.push_back(fmt::format("{}: columns not used: {}", table.file, fmt::join(unused, ", ")));
   return notices;
 }
 

@@ -13,7 +13,9 @@
 
 namespace capstan::ros1 {
 
-bool carriesMotors(const std::string& type) { return type == "sensor_msgs/JointState" || isRavenState(type); }
+bool isJointState(const std::string& type) { return type == "sensor_msgs/JointState"; }
+
+bool carriesMotors(const std::string& type) { return isJointState(type) || isRavenState(type); }
 
 bool carriesImages(const std::string& type) {
   return type == "sensor_msgs/Image" || type == "sensor_msgs/CompressedImage";
@@ -32,7 +34,6 @@ struct Role {
   const char* types;
 };
 
-bool isJointState(const std::string& type) { return type == "sensor_msgs/JointState"; }
 bool isInfo(const std::string& type) { return type == "sensor_msgs/CameraInfo"; }
 bool isPoint(const std::string& type) { return type == "geometry_msgs/PointStamped"; }
 

@@ -21,6 +21,8 @@ struct BagTopics {
 
 /// Whether topics of this type carry motor positions: sensor_msgs/JointState, or a RAVEN-II's raven_state.
 bool carriesMotors(const std::string& type);
+/// Whether they carry joint positions: sensor_msgs/JointState.
+bool isJointState(const std::string& type);
 /// Whether they carry images: sensor_msgs/Image, CompressedImage.
 bool carriesImages(const std::string& type);
 

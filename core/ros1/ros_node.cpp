@@ -1,6 +1,7 @@
 // C++17: see message_data.h.
 #include "core/ros1/ros_node.h"
 
+#include <ros/console.h>
 #include <ros/init.h>
 #include <ros/master.h>
 #include <ros/this_node.h>
@@ -25,6 +26,14 @@ void initialise() {
   (void)once;
 }
 
+/// Without a master, roscpp would print an error for each of its requests. That no master answers is in the
+/// state of the topics and in errors.
+void sayOnlyWithMaster(bool master) {
+  namespace console = ros::console;
+  if (console::set_logger_level("ros.roscpp", master ? console::levels::Warn : console::levels::Fatal))
+    console::notifyLoggerLevelsChanged();
+}
+
 }  // namespace
 
 std::shared_ptr<RosNode> RosNode::get() {
@@ -38,6 +47,7 @@ std::shared_ptr<RosNode> RosNode::get() {
 
 RosNode::RosNode() {
   initialise();
+  sayOnlyWithMaster(ros::master::check());
   if (!ros::isStarted()) ros::start();
   handle_ = std::make_unique<ros::NodeHandle>();
   spinner_ = std::make_unique<ros::AsyncSpinner>(kThreads);
@@ -71,7 +81,9 @@ bool RosNode::isKnown() const {
 void RosNode::watch() {
   while (!quit_) {
     std::this_thread::sleep_for(kWatch);
-    if (!ros::master::check() || isKnown()) continue;
+    const bool master = ros::master::check();
+    sayOnlyWithMaster(master);
+    if (!master || isKnown()) continue;
     const std::lock_guard<std::mutex> lock(mutex_);
     for (const auto& [key, again] : again_) again();
   }

@@ -29,6 +29,29 @@ std::string countsText(const SideStatus& side) {
 
 bool isBehind(const SideStatus& side) { return side.backlog > SideStatus::kLongBacklog; }
 
+/// Why joint encoders are not used, and the remedy; empty: they are used.
+std::string whyNotUsed(const EncoderStatus& encoders) {
+  switch (encoders.state) {
+    case EncoderStatus::State::kOtherStamps:
+      return "joint encoders are not used, their stamps differ from those of the motors: publish both with "
+             "the stamp of one cycle, or leave out encoders in the live set-up";
+    case EncoderStatus::State::kLate:
+      return fmt::format(
+          "joint encoders are not used, they come later than their motors by more than {} ms: publish both "
+          "in "
+          "one cycle, or leave out encoders in the live set-up",
+          EncoderStatus::kWait.count());
+    case EncoderStatus::State::kSilent:
+      return fmt::format(
+          "no joint encoders from {}: {}, or leave out encoders in the live set-up", encoders.from,
+          encoders.reason.empty() ? "check that this topic is published with three finite positions"
+                                  : encoders.reason);
+    case EncoderStatus::State::kUsed:
+      break;
+  }
+  return {};
+}
+
 /// The first seconds say nothing about a drift: a clock of a computer is within 1000 ppm.
 std::string driftText(const SideClock& clock) {
   constexpr double kKnown = 1e-3;
@@ -76,27 +99,8 @@ std::string shortTextOf(const SideStatus& side) {
 }
 
 std::string encodersText(const SideStatus& side) {
-  using Encoders = EncoderStatus::State;
-  switch (side.encoders.state) {
-    case Encoders::kOtherStamps:
-      return fmt::format(
-          "{}: joint encoders are not used, their stamps differ from those of the motors: publish both with "
-          "the stamp of one cycle, or leave out encoders in the live set-up",
-          side.name);
-    case Encoders::kLate:
-      return fmt::format(
-          "{}: joint encoders are not used, they come later than their motors by more than {} ms: publish "
-          "both in one cycle, or leave out encoders in the live set-up",
-          side.name, EncoderStatus::kWait.count());
-    case Encoders::kSilent:
-      return fmt::format(
-          "{}: no joint encoders from {}: check that this topic is published with three finite positions, or "
-          "leave out encoders in the live set-up",
-          side.name, side.encoders.from);
-    case Encoders::kUsed:
-      break;
-  }
-  return {};
+  const std::string why = whyNotUsed(side.encoders);
+  return why.empty() ? why : side.name + ": " + why;
 }
 
 std::string outdatedText(const std::vector<SideStatus>& sides, const std::string& camera) {
@@ -134,6 +138,7 @@ std::string textOf(const SideStatus& side) {
     text += fmt::format("; joint encoders of {} unmatched", counted(side.encoders.unmatched, "row"));
   if (side.encoders.late > 0)
     text += fmt::format("; {} of joint encoders too late", counted(side.encoders.late, "message"));
+  if (const std::string why = whyNotUsed(side.encoders); !why.empty()) text += "; " + why;
   if (side.refused > 0) text += fmt::format("; {} refused", side.refused);
   if (!side.fault.empty()) text += "; last fault: " + side.fault;
   if (!side.reason.empty()) text += "; nothing comes: " + side.reason;

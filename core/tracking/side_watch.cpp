@@ -66,6 +66,10 @@ std::vector<std::string> SideWatch::observe(const std::vector<SideStatus>& sides
     if (side.incomplete > seen.incomplete)
       sentences.push_back(side.name + ": the last row was incomplete, and is excluded");
     seen.incomplete = side.incomplete;
+    if (side.notices != seen.notices || restated)
+      for (const std::string& notice : side.notices)
+        sentences.push_back(fmt::format("{}: {}", side.name, notice));
+    seen.notices = side.notices;
     const std::string encoders = encodersText(side);
     if (encoders != seen.encoders || (restated && !encoders.empty()))
       sentences.push_back(encoders.empty() ? side.name + ": joint encoders are used" : encoders);

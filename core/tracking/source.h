@@ -56,6 +56,7 @@ struct EncoderStatus {
   enum class State { kUsed, kSilent, kOtherStamps, kLate };
   State state = State::kUsed;   ///< others: why the newest rows have no joint encoders
   std::string from;             ///< address
+  std::string reason;           ///< kSilent: why none come; empty: not known
   std::uint64_t unmatched = 0;  ///< rows whose encoders came with another stamp, and were excluded
   std::uint64_t late = 0;       ///< messages that came more than kWait after the row of their stamp
   /// Time for which a row waits for its encoders.
@@ -74,13 +75,14 @@ struct SideStatus {
   bool connected = false;         ///< kWaiting: a program is connected, and no valid row has come from it
   std::string fault;              ///< why this program disconnected another one last; empty: never
   std::string reason;             ///< why nothing comes now; empty: not known, or something comes
-  double silent_for = 0.0;        ///< time since the last sample, or the last new image [s]
-  std::uint64_t received = 0;     ///< number taken
-  std::uint64_t repeated = 0;     ///< excluded, since their stamps did not rise
-  std::uint64_t missing = 0;      ///< rows that never came, or pairs of images of which neither came, by the
-                                  ///< gaps in their times
-  std::uint64_t dropped = 0;      ///< excluded, since tracking was too slow
-  double backlog = 0.0;  ///< time since the arrival of the oldest sample that tracking has not taken [s]
+  std::vector<std::string> notices;  ///< remarks on what the connected program sends, one per line
+  double silent_for = 0.0;           ///< time since the last sample, or the last new image [s]
+  std::uint64_t received = 0;        ///< number taken
+  std::uint64_t repeated = 0;        ///< excluded, since their stamps did not rise
+  std::uint64_t missing = 0;  ///< rows that never came, or pairs of images of which neither came, by the
+                              ///< gaps in their times
+  std::uint64_t dropped = 0;  ///< excluded, since tracking was too slow
+  double backlog = 0.0;       ///< time since the arrival of the oldest sample that tracking has not taken [s]
   std::uint64_t unpaired = 0;    ///< images excluded, since the other camera gave none at their time
   std::uint64_t frozen = 0;      ///< images that equal the one before; their pairs are excluded
   std::uint64_t undated = 0;     ///< pairs of images excluded, while it was not known whose clock stamps them

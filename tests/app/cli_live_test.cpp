@@ -94,6 +94,21 @@ TEST_F(CliLive, EndsAfterItsDurationThoughNoRowsCome) {
   EXPECT_NE(textOf("live.csv").find("\n0.4"), std::string::npos);
 }
 
+/// A misspelled column: no row is accepted, and the duration ends the session all the same.
+TEST_F(CliLive, WithoutAnAcceptedRowTheDurationEndsIt) {
+  write("rows.csv", "t,q_m1,q_m2,qm3\n0,80,-90,-480\n");
+  const std::string port = std::to_string(20000 + getpid() % 20000), at = "tcp://127.0.0.1:" + port;
+  const std::string send = "bash -c 'until (exec 3<>/dev/tcp/127.0.0.1/" + port + " && cat " +
+                           path("rows.csv") + " >&3 && sleep 1) 2>/dev/null; do sleep 0.2; done'";
+  const Ran ran =
+      run("record --live " + at + " --duration 1 --out " + path("live.capstan"), send + " & timeout 60 ");
+  EXPECT_EQ(ran.exit, 1) << ran.err;
+  EXPECT_NE(ran.err.find("qm3: is no column of a measured table; q_m3 is missing"), std::string::npos)
+      << ran.err;
+  EXPECT_NE(ran.err.find("no row was accepted"), std::string::npos) << ran.err;
+  EXPECT_FALSE(fs::exists(path("live.capstan"))) << "an empty session is no recording";
+}
+
 TEST_F(CliLive, AFaultOnStandardInputNamesItsLine) {
   const std::string table = makeTable();
   const Ran faulty = run("track --live - ", "sed '1500s/,[^,]*/,oops/' " + table + " | ");
@@ -111,6 +126,9 @@ TEST_F(CliLive, AMissingRegistrationNamesTheKeyOfTheSetUp) {
   EXPECT_NE(live.err.find("the live set-up names no registration"), std::string::npos) << live.err;
   EXPECT_NE(live.err.find("`registration:`"), std::string::npos) << live.err;
   EXPECT_EQ(live.err.find("stored with this recording"), std::string::npos) << live.err;
+  const Ran record =
+      run("record --live " + path("live.yaml") + " --out " + path("live.capstan") + " <" + table);
+  EXPECT_NE(record.err.find("the live set-up names no registration"), std::string::npos) << record.err;
 }
 
 /// Rows that are there before the recorder is.

@@ -209,17 +209,22 @@ TEST_F(CliRos, MotorsAloneAreEnoughToPlayAndAWrongTopicIsNamed) {
   ASSERT_EQ(run("simulate --duration 4 --out " + path("trial.capstan")).exit, 0);
   const std::string motors = "title: x\nmotors:\n  from: ros:/arm/";
   std::ofstream(path("wrong.yaml")) << motors << "actuator/measured_js\n";
-  std::ofstream(path("right.yaml")) << motors << "actuators/measured_js\n";
+  std::ofstream(path("right.yaml")) << motors << "actuators/measured_js\n  encoders: /arm/measured_j\n";
   const std::string port = std::to_string(20000 + getpid() % 20000), program = test::commandLineProgram();
   runShell("export ROS_HOSTNAME=localhost ROS_MASTER_URI=http://localhost:" + port +
            "; (rosmaster --core -p " + port + " & master=$!; sleep 2; " + program + " play " +
            path("trial.capstan") + " --to ros 2>" + path("play.txt") +
            " & playing=$!; sleep 2; timeout -s INT 10 " + program + " track --live " + path("wrong.yaml") +
            " 2>" + path("wrong.txt") + "; timeout 30 " + program + " track --live " + path("right.yaml") +
-           " --duration 2 --json " + path("live.json") + "; kill $playing; kill $master; wait) >/dev/null");
+           " --duration 2 --json " + path("live.json") + " 2>" + path("right.txt") +
+           "; kill $playing; kill $master; wait) >/dev/null");
   EXPECT_NE(textOf("wrong.txt").find("the nearest topic with motors is /arm/actuators/measured_js"),
             std::string::npos)
       << textOf("wrong.txt");
+  EXPECT_NE(
+      textOf("right.txt").find("nobody publishes /arm/measured_j; the nearest topic with joint encoders"),
+      std::string::npos)
+      << textOf("right.txt");
   EXPECT_NE(textOf("play.txt").find("nobody has subscribed to both images"), std::string::npos)
       << textOf("play.txt");
   ASSERT_TRUE(fs::exists(path("live.json"))) << textOf("play.txt");
@@ -233,6 +238,7 @@ TEST_F(CliRos, WithoutAMasterPlayingIsRefused) {
                       "ROS_HOSTNAME=localhost ROS_MASTER_URI=http://localhost:1 ");
   EXPECT_EQ(ran.exit, 2);
   EXPECT_NE(ran.err.find("http://localhost:1"), std::string::npos) << ran.err;
+  EXPECT_EQ(ran.err.find("Failed to contact"), std::string::npos) << "once is enough: " << ran.err;
 }
 
 }  // namespace

@@ -3,6 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/base/yaml.h"
 #include "tests/core/live/setup_fault.h"
 
 namespace capstan::live {
@@ -23,6 +29,35 @@ TEST(LiveSetup, TopicsHaveNamesOfRos) {
   EXPECT_EQ(refusedTopic("from: 'ros:/motors'", "ros:/left", "ros:"), "cameras.right");
   EXPECT_EQ(refusedTopic("from: 'ros:/motors'", "ros:/left-eye"), "cameras.left");
   EXPECT_EQ(refusedTopic("from: 'ros:/motors'", "ros:/left image"), "cameras.left");
+}
+
+TEST(LiveSetup, FieldsThatAnAddressDoesNotUseAreNamed) {
+  RowsSetup rows;
+  rows.read_as = "q_m=deg";
+  EXPECT_TRUE(fieldsNotUsed(rows).empty());
+  rows.encoders = "/arm/measured_js", rows.arm = 2;
+  EXPECT_EQ(fieldsNotUsed(rows), (std::vector<std::string>{"encoders", "arm"}));
+  rows.from = "ros:/arm/actuators/measured_js";
+  EXPECT_EQ(fieldsNotUsed(rows), std::vector<std::string>{"read_as"});
+}
+
+TEST(LiveSetup, AnAddressWithoutItsKindAndAShortListHaveARemedy) {
+  const auto refusedBy = [](const std::string& text) -> std::string {
+    try {
+      liveSetupOf(text, {}, {});
+    } catch (const base::InputError& error) {
+      return error.what();
+    }
+    return {};
+  };
+  EXPECT_NE(refusedBy("127.0.0.1:5555").find("Write tcp://127.0.0.1:5555"), std::string::npos)
+      << refusedBy("127.0.0.1:5555");
+  const std::string file = ::testing::TempDir() + "short.yaml";
+  base::writeTextFile(file, "title: x\nmotors:\n  from: tcp://127.0.0.1:5555\n  signs: [1, 1]\n");
+  const std::string said = refusedBy(file);
+  EXPECT_NE(said.find("short.yaml:4: motors.signs = 2 values"), std::string::npos) << said;
+  EXPECT_NE(said.find("Give 3 values, as in signs: […, …, …]"), std::string::npos) << said;
+  std::filesystem::remove(file);
 }
 
 }  // namespace

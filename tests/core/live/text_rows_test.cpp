@@ -6,6 +6,7 @@
 
 #include <cstdio>
 #include <memory>
+#include <thread>
 #include <utility>
 
 #include "core/robot/description.h"
@@ -62,6 +63,18 @@ TEST(TextRows, OnlyAFileHasALastRowWithoutALineFeed) {
   EXPECT_EQ(rowsOf(::fileno(file.get())), std::pair(std::size_t{61}, std::uint64_t{0}));
   ::dup2(before, STDIN_FILENO);
   ::close(before);
+}
+
+/// A program that sends to another port.
+TEST(TextRows, SaysThatNobodyConnects) {
+  const robot::Description robot = robot::readDescriptionOrDefault({});
+  TextRows rows(openByteStream(parseAddress("tcp://127.0.0.1:0", "--live")), RowParser("rows", robot, {}),
+                std::chrono::milliseconds(300));
+  EXPECT_FALSE(rows.hint()) << "it may still come";
+  std::this_thread::sleep_for(std::chrono::milliseconds(301));
+  const std::optional<std::string> hint = rows.hint();
+  ASSERT_TRUE(hint);
+  EXPECT_NE(hint->find("no program has connected to tcp://127.0.0.1:"), std::string::npos) << *hint;
 }
 
 }  // namespace

@@ -103,6 +103,44 @@ TEST(MeasuredTable, HeadersThatCannotBe) {
   EXPECT_NE(faultOf("t;q_m1\n0;1\n").remedy.find("commas"), std::string::npos);
 }
 
+/// A misspelled column is named itself, with the one that is missing.
+TEST(MeasuredTable, AMisspelledColumnIsNamed) {
+  for (const auto& [header, unused, meant] : {std::tuple{"t,q_m1,qm2,q_m3", "qm2", "q_m2"},
+                                              {"t,q_m1,Q_M2,q_m3", "Q_M2", "q_m2"},
+                                              {"time,q_m1,q_m2,q_m3", "time", "t"},
+                                              {"t,p_c1,p_c2,pc_3", "pc_3", "p_c3"}}) {
+    const base::InputFault fault = faultOf(std::string(header) + "\n0,1,1,1\n");
+    EXPECT_EQ(fault.key, unused) << header;
+    EXPECT_NE(fault.remedy.find(std::string("Rename it to ") + meant), std::string::npos) << fault.remedy;
+  }
+  const base::InputFault other = faultOf("t,q_m1,q_m2,q_m4,current\n0,1,1,1,1\n");
+  EXPECT_EQ(other.key, "q_m3");
+  EXPECT_NE(other.reason.find("not used are current"), std::string::npos) << other.reason;
+  EXPECT_NE(other.remedy.find("correct the number in q_m4"), std::string::npos) << other.remedy;
+}
+
+TEST(TableSource, MisspelledColumnsAreNoticed) {
+  const robot::Description raven = robot::readDescriptionOrDefault({});
+  const auto faultOfTracking = [&](const char* text) {
+    try {
+      TableSource(parseMeasuredTable(text, "rows"), raven);
+    } catch (const base::InputError& error) {
+      return error.fault();
+    }
+    return base::InputFault{};
+  };
+  const base::InputFault fault = faultOfTracking("t,m1,m2,m3,q1,q2,q3\n0,1,2,3,4,5,6\n");
+  EXPECT_EQ(fault.key, "m1");
+  EXPECT_EQ(fault.remedy, "Rename it to q_m1, if that is what it holds");
+  EXPECT_EQ(faultOfTracking("t,q_m1,q_m2,qm3\n0,1,2,3\n").key, "qm3") << "the last one, too";
+  const TableSource source(parseMeasuredTable("t,q_m1,q_m2,q_m3,Q1,Q2,Q3,current\n0,1,2,3,4,5,6,7\n", "rows"),
+                           raven);
+  EXPECT_EQ(
+      source.info().notices.back(),
+      "rows: columns not used: Q1 (rename it, if it is q1), Q2 (rename it, if it is q2), Q3 (rename it, "
+      "if it is q3), current");
+}
+
 TEST(TableSource, GivesMotorsReferenceAndTipsOfEachRow) {
   auto table = parseMeasuredTable(
       "t,q_m1,q_m2,q_m3,q1,q2,q3,p_c1,p_c2,p_c3\n0,1,2,3,4,5,6,7,8,9\n1,1,2,3,,,,,,\n2,,2,3,4,5,6,7,8,9\n"

@@ -58,6 +58,17 @@ TEST_F(SideWatchTest, SaysWhyACameraIsSilent) {
   EXPECT_EQ(observe(State::kSilent, 0.6), Sentences{}) << "once";
 }
 
+/// Remarks on what a program sends: again for the next program, and at the begin of a recording.
+TEST_F(SideWatchTest, SaysRemarks) {
+  side_.notices = {"columns not used: Q1"};
+  EXPECT_EQ(observe(State::kReceiving), (Sentences{"motors receiving", "motors: columns not used: Q1"}));
+  EXPECT_EQ(observe(State::kReceiving), Sentences{});
+  watch_.restate();
+  EXPECT_EQ(observe(State::kReceiving), (Sentences{"motors receiving", "motors: columns not used: Q1"}));
+  side_.notices = {"columns not used: Q2"};
+  EXPECT_EQ(observe(State::kReceiving), Sentences{"motors: columns not used: Q2"});
+}
+
 TEST_F(SideWatchTest, SaysARefusalThatWasTooShortToBeSeen) {
   observe(State::kReceiving);
   side_.refused = 1, side_.fault = "line 7 is no row";
