@@ -56,8 +56,8 @@ std::string unregisteredText(const tracking::SourceInfo& info) {
 }
 
 std::string nothingCameText(const std::vector<tracking::SideStatus>& sides) {
-  if (sides.empty() || sides.front().fault.empty()) return "no row came: nothing was tracked";
-  return "no row was accepted: nothing was tracked. The last fault: " + sides.front().fault;
+  const bool refused = !sides.empty() && sides.front().refused > 0;
+  return refused ? "no row was accepted: nothing was tracked" : "no row came: nothing was tracked";
 }
 
 SideNotices::SideNotices(std::function<std::vector<tracking::SideStatus>()> sides)

@@ -14,14 +14,21 @@ constexpr std::size_t kFewestRows = 50;  ///< smallest number of rows for a rate
 constexpr double kSlowestRate = 10.0;    ///< slower rates cannot resolve cable dynamics [1/s]
 constexpr double kFastestRate = 1e5;     ///< no motor is sampled faster [1/s]
 
+/// "2 … 5 rad"; a column that does not move: "2 rad".
 std::string rangeText(const Range& range, const char* unit) {
-  return fmt::format("{:.4g} … {:.4g} {}", range.low, range.high, unit);
+  const std::string low = fmt::format("{:.4g}", range.low), high = fmt::format("{:.4g}", range.high);
+  return fmt::format("{}{}{}", low == high ? low : low + " … " + high, *unit == '\0' ? "" : " ", unit);
+}
+
+std::string spanText(const Range& span) {
+  return (span.low == span.high ? "is " : "spans ") + rangeText(span, "");
 }
 
 std::string readText(const Range& span, const UnitBounds& bounds, std::optional<ColumnUnit> unit) {
   if (!unit) return "; no other unit is plausible";
-  return fmt::format("; in {} it is {}, which is plausible", wordOf(*unit),
-                     rangeText(span.times(factorOf(*unit)), bounds.unit));
+  const Range read = span.times(factorOf(*unit));
+  return fmt::format("; in {} it is {}, {}", wordOf(*unit), rangeText(read, bounds.unit),
+                     bounds.usual.leftBy(read) > 0.0 ? "which is nearer" : "which is within it");
 }
 
 /// Examines a table column by column.
@@ -69,9 +76,9 @@ class Inspection {
     if (!bounds.leftBy(span)) return std::nullopt;
     UnitFinding found = finding(quantity, i, span);
     found.unit = fittingUnit(span, bounds, units);
-    found.text = fmt::format("spans {:.4g} … {:.4g}: as {} it would leave {}, {}, by {:.4g} {}{}", span.low,
-                             span.high, bounds.unit, bounds.what, rangeText(bounds.usual, bounds.unit),
-                             bounds.usual.leftBy(span), bounds.unit, readText(span, bounds, found.unit));
+    found.text = fmt::format("{}: as {} it would leave {}, {}, by {:.4g} {}{}", spanText(span), bounds.unit,
+                             bounds.what, rangeText(bounds.usual, bounds.unit), bounds.usual.leftBy(span),
+                             bounds.unit, readText(span, bounds, found.unit));
     return found;
   }
 
@@ -93,8 +100,8 @@ class Inspection {
         found[i] = finding(quantity, i, span);
         found[i]->implausible = false;
         found[i]->unit = found[*first]->unit;
-        found[i]->text = fmt::format("spans {:.4g} … {:.4g}: plausible by itself, but {} has the same unit",
-                                     span.low, span.high, name_of_first);
+        found[i]->text =
+            fmt::format("{}: plausible by itself, but {} has the same unit", spanText(span), name_of_first);
       }
       if (found[i]) findings_.push_back(std::move(*found[i]));
     }
@@ -168,10 +175,9 @@ class Inspection {
       const Range span = spanOf(table_.dq_m[i]);
       found = finding("dq_m", i, span);
       found->unit = ColumnUnit::kDegrees;
-      found->text = fmt::format(
-          "spans {:.4g} … {:.4g}: in rad/s this is {:.3g} times the rate of q_m{}; in degrees "
-          "per second they agree",
-          span.low, span.high, shown.ratio(i), i + 1);
+      found->text =
+          fmt::format("{}: in rad/s this is {:.3g} times the rate of q_m{}; in degrees per second they agree",
+                      spanText(span), shown.ratio(i), i + 1);
       return found;
     };
     addQuantity("dq_m", table_.dq_m, find,
@@ -198,10 +204,9 @@ class Inspection {
       const Range span = spanOf(table_.p_c[i]);
       UnitFinding found = finding("p_c", i, span);
       found.unit = unit;
-      found.text = fmt::format(
-          "spans {:.4g} … {:.4g}, the tip {:.4g} … {:.4g} from the base: as m it would leave {}, {}{}",
-          span.low, span.high, far.low, far.high, bounds.what, rangeText(bounds.usual, "m"),
-          readText(far, bounds, unit));
+      found.text = fmt::format("{}, the tip {} from the base: as m it would leave {}, {}{}", spanText(span),
+                               rangeText(far, ""), bounds.what, rangeText(bounds.usual, "m"),
+                               readText(far, bounds, unit));
       findings_.push_back(std::move(found));
     }
   }

@@ -17,7 +17,7 @@ TEST_F(Cli, UnitsThatCannotBeAreRefusedOnStandardError) {
   for (const char* command : {"track ", "info ", "identify "}) {
     const Ran result = run(command + path("mm.csv"));
     EXPECT_EQ(result.exit, 2) << command;
-    EXPECT_NE(result.err.find("q3 spans 340 … 340: as m it would leave the range of joint 3, 0.23 … 0.56 m"),
+    EXPECT_NE(result.err.find("q3 is 340: as m it would leave the range of joint 3, 0.23 … 0.56 m"),
               std::string::npos)
         << result.err;
     EXPECT_NE(result.err.find("--read-as t=ms,q3=mm"), std::string::npos) << result.err;
