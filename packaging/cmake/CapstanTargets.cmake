@@ -80,17 +80,22 @@ include(\"${PROJECT_SOURCE_DIR}/packaging/cmake/CapstanSuites.cmake\")
   endif()
 endfunction()
 
-# A Google Benchmark executable; built with the tests, run by tests/benchmarks/run only.
+# Builds every benchmark and study (packaging/prepare benchmarks); they are no part of the tests.
+add_custom_target(benchmarks)
+
+# A Google Benchmark executable; tests/benchmarks/run builds and runs them all.
 function(capstan_benchmark)
   cmake_parse_arguments(BENCH "" "NAME" "SOURCES;LINKS" ${ARGN})
-  add_executable(${BENCH_NAME} ${BENCH_SOURCES})
+  add_executable(${BENCH_NAME} EXCLUDE_FROM_ALL ${BENCH_SOURCES})
+  add_dependencies(benchmarks ${BENCH_NAME})
   target_link_libraries(${BENCH_NAME} PRIVATE ${BENCH_LINKS} capstan_test_folders capstan_options benchmark::benchmark)
 endfunction()
 
-# A command of its own that measures or counts; built with the tests. What it calls is optimised in full, itself not.
+# A command of its own that measures or counts. What it calls is optimised in full, itself not.
 function(capstan_study)
   cmake_parse_arguments(STUDY "" "NAME" "SOURCES;LINKS" ${ARGN})
-  add_executable(${STUDY_NAME} ${STUDY_SOURCES})
+  add_executable(${STUDY_NAME} EXCLUDE_FROM_ALL ${STUDY_SOURCES})
+  add_dependencies(benchmarks ${STUDY_NAME})
   target_link_libraries(${STUDY_NAME} PRIVATE ${STUDY_LINKS} CLI11::CLI11 nlohmann_json::nlohmann_json capstan_options)
   target_compile_options(${STUDY_NAME} PRIVATE ${CAPSTAN_TEST_OPTIONS})
   capstan_precompiled(${STUDY_NAME} command)
