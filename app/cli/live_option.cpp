@@ -42,8 +42,7 @@ std::unique_ptr<live::EstimateOutputs> makeEstimateOutputs(const std::vector<std
 
 std::unique_ptr<live::LiveSource> openLive(const std::string& text, const std::string& robot,
                                            const std::string& read_as, double duration) {
-  auto source = std::make_unique<live::LiveSource>(live::liveSetupOf(text, robot, read_as));
-  source->endAfter(duration);
+  auto source = std::make_unique<live::LiveSource>(live::liveSetupOf(text, robot, read_as), duration);
   for (const std::string& line : source->info().notices) notice(line);
   if (text != "-") notice("waiting for rows from " + source->sides().front().from);
   return source;

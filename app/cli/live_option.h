@@ -26,7 +26,7 @@ void addPublish(CLI::App& command, std::vector<std::string>& to);
 /// (live::EstimateOutputs).
 std::unique_ptr<live::EstimateOutputs> makeEstimateOutputs(const std::vector<std::string>& to);
 /// Opens the robot that --live names and says where it listens. The source ends `duration` [s] after its
-/// first sample; 0: never (LiveSource::endAfter()). Throws base::InputError as live::liveSetupOf() and
+/// first sample; 0: never (live::LiveSource). Throws base::InputError as live::liveSetupOf() and
 /// live::LiveSource.
 std::unique_ptr<live::LiveSource> openLive(const std::string& text, const std::string& robot,
                                            const std::string& read_as, double duration);

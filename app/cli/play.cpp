@@ -270,7 +270,7 @@ ExitCode play(const PlayArguments& arguments) {
   std::size_t count = 0;
   if (const ProgressLine line(progress); arguments.to == kRos) {
     played = playRos(arguments, format, *rows, progress);
-    if (played.rows) count = played.rows->sent + played.rows->withheld;
+    if (played.rows) count = played.rows->sent + played.rows->lost + played.rows->withheld;
   } else {
     const recording::MeasuredTable table = rowsOf(arguments, format);
     count = table.rows();

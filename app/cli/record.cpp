@@ -72,11 +72,12 @@ ExitCode record(const RecordArguments& arguments) {
   runner.reset();  // closes the recording
   const recording::RecorderStats stats = recorder->stats();
   const bool empty = stats.written == 0 && stats.error.empty();
-  if (empty) std::filesystem::remove(arguments.out);
+  std::error_code ignored;
+  if (empty) std::filesystem::remove(arguments.out, ignored);
   output.text(textOf(report, info, 0.0) + healthText(health) + textOf(status.sides) +
               fmt::format("{}: {} rows written, {} dropped, {} lost, {:.1f} MB\n", arguments.out,
                           stats.written, stats.dropped, stats.lost, 1e-6 * static_cast<double>(stats.bytes)));
-  output.json({{"file", arguments.out},
+  output.json({{"file", empty ? nlohmann::json() : nlohmann::json(arguments.out)},
                {"written", stats.written},
                {"frames", stats.frames},
                {"dropped", stats.dropped},

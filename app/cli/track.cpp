@@ -206,7 +206,8 @@ ExitCode track(TrackArguments& arguments, const CLI::App& command) {
 
   tracking::noteSource(info, source->sides(), report);
   const auto health = tracking::healthOf(report, info.robot, options.memory);
-  std::string text = textOf(report, info, spent.count()) + healthText(health);
+  const bool paced = info.real_time && !info.sender_waits;  // by the robot: a speed would say nothing
+  std::string text = textOf(report, info, paced ? 0.0 : spent.count()) + healthText(health);
   nlohmann::json document = cli::documentOf(report, info, health, arguments.estimator_robot);
   if (study && report.frames > 0) {
     text += study->text();
@@ -228,11 +229,13 @@ ExitCode track(TrackArguments& arguments, const CLI::App& command) {
   text += robotText(arguments, info.robot);
   if (text_here) output.text(text);
   output.json(document);
-  if (report.cancelled) notice("cancelled: the numbers cover the time until then");
+  const bool until_cancelled = live && command.count("--duration") == 0;  // Ctrl-C is its end
+  const bool cancelled = report.cancelled && !until_cancelled;
+  if (cancelled) notice("cancelled: the numbers cover the time until then");
   if (report.motor_samples == 0)
     notice(live ? nothingCameText(source->sides())
                 : "the recording holds no motor sample: nothing was tracked");
-  return report.cancelled || report.motor_samples == 0 ? kFailed : kOk;
+  return cancelled || report.motor_samples == 0 ? kFailed : kOk;
 }
 
 }  // namespace

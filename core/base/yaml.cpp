@@ -31,7 +31,7 @@ void refuseLength(const YAML::Node& node, const YamlPlace& place, std::size_t wa
   const std::size_t count = node.size();
   throw InputError(
       {place.file, lineOf(node), place.key, fmt::format("{} value{}", count, count == 1 ? "" : "s"),
-       fmt::format("is not the number that this list needs, {}", wanted),
+       fmt::format("this list needs {}", wanted),
        fmt::format("Give {} values, as in {}: [{}]", wanted, place.key.substr(place.key.rfind('.') + 1),
                    fmt::join(std::vector<std::string>(wanted, "…"), ", "))});
 }
@@ -76,7 +76,7 @@ void writeTextFile(const std::filesystem::path& path, const std::string& text) {
 double yamlNumber(const YAML::Node& node, const YamlPlace& place, const FieldInfo& info) {
   double value = 0.0;
   if (!node.IsScalar() || !YAML::convert<double>::decode(node, value))
-    refuseYaml(node, place, "is not a number");
+    refuseYaml(node, place, "is not a number", "Give a number: " + std::string(info.meaning));
   if (!std::isfinite(value)) refuseYaml(node, place, "is not finite");
   if (!info.range.contains(value)) {
     const std::string unit = info.unit.empty() ? "" : fmt::format(" {}", info.unit);

@@ -29,10 +29,13 @@ struct YamlPlace {
 };
 
 /// Throws an InputError about `node` at `place`, with its line and value.
-/// Throws InputError for a list that has not `wanted` values.
-[[noreturn]] void refuseLength(const YAML::Node& node, const YamlPlace& place, std::size_t wanted);
 [[noreturn]] void refuseYaml(const YAML::Node& node, const YamlPlace& place, const std::string& reason,
                              const std::string& remedy = {});
+/// Throws an InputError about a list that has not `wanted` values.
+[[noreturn]] void refuseLength(const YAML::Node& node, const YamlPlace& place, std::size_t wanted);
+inline constexpr const char* kBlockRemedy =
+    "Write its keys on the lines below it, each as key: value, indented";
+inline constexpr const char* kListRemedy = "Write it as [a, b, c]";
 /// Limits of a YAML text: files of strangers may be made to exhaust memory or stack. The largest file of
 /// resources/ has 10 KB.
 inline constexpr std::size_t kLongestYaml = 1U << 20;    ///< [bytes]
@@ -100,7 +103,7 @@ void readInto(T& value, const YAML::Node& node, const YamlPlace& place, const Fi
 /// Reads all fields of `value`. Checks for unknown keys first, because a missing key may be a misspelt one.
 template <class T>
 void readFields(T& value, const YAML::Node& node, const YamlPlace& place) {
-  if (!node.IsMap()) refuseYaml(node, place, "is not a block of keys");
+  if (!node.IsMap()) refuseYaml(node, place, "is not a block of keys", kBlockRemedy);
   std::vector<std::string> known;
   T::visit(value, [&](const auto&, const FieldInfo& info) { known.emplace_back(info.key); });
   refuseUnknownKeys(node, place, known);
@@ -118,7 +121,7 @@ void readFields(T& value, const YAML::Node& node, const YamlPlace& place) {
 
 template <EntryList T>
 void readEntries(T& value, const YAML::Node& node, const YamlPlace& place) {
-  if (!node.IsMap()) refuseYaml(node, place, "is not a block of keys");
+  if (!node.IsMap()) refuseYaml(node, place, "is not a block of keys", kBlockRemedy);
   value.clear();
   for (const auto& entry : node) {
     const std::string key = entry.first.Scalar();
@@ -141,9 +144,11 @@ void readInto(T& value, const YAML::Node& node, const YamlPlace& place, const Fi
     value.emplace();
     readInto(*value, node, place, info);
   } else if constexpr (std::is_same_v<T, bool>) {
-    if (!YAML::convert<bool>::decode(node, value)) refuseYaml(node, place, "is neither true nor false");
+    if (!YAML::convert<bool>::decode(node, value))
+      refuseYaml(node, place, "is neither true nor false", "Write true or false");
   } else if constexpr (std::is_same_v<T, std::string>) {
-    if (!node.IsScalar()) refuseYaml(node, place, "is not a text");
+    if (!node.IsScalar())
+      refuseYaml(node, place, "is not a text", "Write one text, in quotes if it has a colon");
     value = node.Scalar();
   } else if constexpr (Named<T>) {
     const auto named = node.IsScalar() ? fromName<T>(node.Scalar()) : std::nullopt;
@@ -154,7 +159,8 @@ void readInto(T& value, const YAML::Node& node, const YamlPlace& place, const Fi
     value = *named;
   } else if constexpr (std::is_integral_v<T>) {
     const double number = yamlNumber(node, place, info);
-    if (number != std::floor(number)) refuseYaml(node, place, "is not a whole number");
+    if (number != std::floor(number))
+      refuseYaml(node, place, "is not a whole number", std::string(info.meaning));
     constexpr double kBeyond = 2.0 * static_cast<double>(std::numeric_limits<T>::max() / 2 + 1);  // exact
     if (number < static_cast<double>(std::numeric_limits<T>::min()) || number >= kBeyond)
       refuseYaml(node, place, "is too large a number", std::string(info.meaning));
@@ -165,7 +171,8 @@ void readInto(T& value, const YAML::Node& node, const YamlPlace& place, const Fi
     const bool vector = T::ColsAtCompileTime == 1;
     const std::size_t rows = T::RowsAtCompileTime;
     if (!node.IsSequence() || node.size() != rows)
-      refuseYaml(node, place, "is not a list of " + std::to_string(rows) + (vector ? " numbers" : " rows"));
+      refuseYaml(node, place, "is not a list of " + std::to_string(rows) + (vector ? " numbers" : " rows"),
+                 kListRemedy);
     for (std::size_t row = 0; row < rows; ++row) {
       const YamlPlace inner{place.file, place.key + "[" + std::to_string(row) + "]"};
       if constexpr (T::ColsAtCompileTime == 1) {
@@ -177,7 +184,7 @@ void readInto(T& value, const YAML::Node& node, const YamlPlace& place, const Fi
       }
     }
   } else if constexpr (IsArray<T>::value || IsVector<T>::value) {
-    if (!node.IsSequence()) refuseYaml(node, place, "is not a list");
+    if (!node.IsSequence()) refuseYaml(node, place, "is not a list", kListRemedy);
     if constexpr (IsVector<T>::value)
       value.resize(node.size());
     else if (node.size() != value.size())
@@ -186,7 +193,7 @@ void readInto(T& value, const YAML::Node& node, const YamlPlace& place, const Fi
       readInto(value[i], node[i], {place.file, place.key + "[" + std::to_string(i) + "]"}, info);
   } else {
     static_assert(IsMap<T>::value, "a configuration field of a type that files do not know");
-    if (!node.IsMap()) refuseYaml(node, place, "is not a block of keys");
+    if (!node.IsMap()) refuseYaml(node, place, "is not a block of keys", kBlockRemedy);
     value.clear();
     for (const auto& entry : node)
       readInto(value[entry.first.Scalar()], entry.second,

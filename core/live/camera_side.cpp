@@ -289,9 +289,10 @@ std::optional<double> CameraSide::observeExposure(const FramePair& pair) {
   const double late = std::chrono::duration<double>(arrival - on_computer).count();
   const Verdict computer = with_computer_.add(late, clock_.steps() + computer_steps_, *by_arrival);
   const std::optional<double> by_stamp = session_.of_stamp ? session_.of_stamp(*stamp) : std::nullopt;
+  const int steps = clock_.steps() + (session_.steps ? session_.steps() : 0);
   Verdict motors = Verdict::kDiffer;
   if (by_stamp)
-    motors = with_motors_.add(*by_arrival - *by_stamp, clock_.steps(), *by_arrival);
+    motors = with_motors_.add(*by_arrival - *by_stamp, steps, *by_arrival);
   else
     with_motors_.forget();
   if (motors == Verdict::kAgree) return status_.times = By::kStamps, by_stamp;

@@ -47,6 +47,8 @@ class CameraSide {
     std::function<double()> begin;
     /// Time of the newest motor sample; none: that of the clock.
     std::function<double()> newest;
+    /// Number of steps of the clock that of_stamp maps to the session's; none: 0.
+    std::function<int()> steps = {};
   };
   /// A network stream may come later. Throws base::InputError where a device or file cannot be opened.
   CameraSide(const CamerasSetup& setup, SessionClock clock, SampleQueue& queue);

@@ -43,6 +43,9 @@ void checkTopics(const LiveSetup& setup, const std::string& file) {
   };
   check("motors.from", setup.motors.from);
   if (!setup.motors.encoders.empty()) checkTopic(file, "motors.encoders", setup.motors.encoders);
+  if (isRosTopic(setup.motors.from) && setup.motors.encoders == rosTopicOf(setup.motors.from))
+    refuse(file, "motors.encoders", setup.motors.encoders, "is the topic of the motors",
+           "Name the topic of the joint encoders, or leave it out");
   if (!setup.cameras) return;
   check("cameras.left", setup.cameras->left);
   check("cameras.right", setup.cameras->right);
@@ -97,6 +100,10 @@ void check(const LiveSetup& setup, const std::string& file) {
   if (setup.cameras && (setup.cameras->layout == CameraLayout::kTwo) == setup.cameras->right.empty())
     refuse(file, "cameras.right", setup.cameras->right, "does not fit the layout",
            "Give two streams for the layout two, one (as left) for side_by_side and top_bottom");
+  if (setup.cameras && setup.cameras->left == setup.cameras->right)
+    refuse(
+        file, "cameras.right", setup.cameras->right, "is the left camera, too",
+        "Give the other camera, or, where one stream has both images, the layout side_by_side or top_bottom");
   recording::parseReadAs(setup.motors.read_as, "motors.read_as");
 }
 
@@ -108,6 +115,17 @@ bool isBareAddress(const std::string& text) {
     return false;
   return std::all_of(text.begin() + static_cast<std::ptrdiff_t>(colon) + 1, text.end(),
                      [](unsigned char c) { return std::isdigit(c) != 0; });
+}
+
+/// Throws base::InputError for a text that is no set-up file, where it is known what was meant.
+void refuseOtherKind(const std::string& text) {
+  if (!std::filesystem::exists(text) && isBareAddress(text))
+    refuse({}, "--live", text, "is no file", "Write tcp://" + text + " to listen at this address");
+  if (text.find("://") != std::string::npos)
+    refuse({}, "--live", text, "is no address of rows",
+           "Give tcp://ADDRESS:PORT, ros:/TOPIC, or a live set-up file, which may name cameras");
+  if (std::filesystem::path(text).extension() == ".capstan")
+    refuse({}, "--live", text, "is a recording", "Track it as a FILE, without --live");
 }
 
 bool isFifo(const std::string& path) { return std::filesystem::is_fifo(path); }
@@ -140,6 +158,13 @@ void checkNamedFiles(const LiveSetup& setup, const std::filesystem::path& path) 
                               "cannot be used", error.what()});
     }
   };
+  read("motors.from", isAddress(setup.motors.from) ? std::string() : setup.motors.from,
+       [](const std::string& named) {
+         if (std::filesystem::exists(named)) return;
+         if (isBareAddress(named)) refuse({}, "", "", "is no file", "Write tcp://" + named);
+         refuse({}, "", "", "is neither an address nor a file or FIFO that exists",
+                "Give tcp://ADDRESS:PORT");
+       });
   read("robot", setup.robot, [](const std::string& file) { robot::readDescription(file); });
   if (!setup.cameras) return;
   const CamerasSetup& cameras = *setup.cameras;
@@ -208,8 +233,7 @@ LiveSetup liveSetupOf(const std::string& text, const std::string& robot, const s
     check(setup, {});
     return setup;
   }
-  if (!std::filesystem::exists(text) && isBareAddress(text))
-    refuse({}, "--live", text, "is no file", "Write tcp://" + text + " to listen at this address");
+  refuseOtherKind(text);
   LiveSetup setup = readLiveSetup(text);
   checkNamedFiles(setup, text);
   if (!robot.empty() && !setup.robot.empty())

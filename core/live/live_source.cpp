@@ -31,7 +31,7 @@ std::unique_ptr<RowInput> textRows(const Address& address, const std::string& re
 
 }  // namespace
 
-LiveSource::LiveSource(const LiveSetup& setup) : queue_(kCapacity) {
+LiveSource::LiveSource(const LiveSetup& setup, double duration) : queue_(kCapacity), duration_(duration) {
   if (setup.cameras) readCameras(*setup.cameras);
   const Address address = parseAddress(setup.motors.from, "motors.from");
   const bool piped = address.kind == Address::Kind::kStandardInput;
@@ -64,14 +64,17 @@ LiveSource::LiveSource(const LiveSetup& setup) : queue_(kCapacity) {
         CameraSide::SessionClock{[this](CameraSide::Clock::time_point at) { return rows_->sessionTime(at); },
                                  [this](std::int64_t stamp) { return rows_->sessionTimeOfStamp(stamp); },
                                  [this] { return rows_->sessionBegin(); },
-                                 [this] { return rows_->newestTime(); }},
+                                 [this] { return rows_->newestTime(); },
+                                 [this] { return rows_->clockSteps(); }},
         queue_);
   if (setup.commands) {
     commander_ = std::make_shared<JointCommander>(*setup.commands, info_.robot);
     transmission_.emplace(info_.robot);
   }
   if (!piped) return;
-  const RowFacts facts = rows_->waitForFirst();
+  const RowFacts facts =
+      rows_->waitForFirst(duration > 0.0 ? duration + std::chrono::duration<double>(kLateBegin).count()
+                                         : std::numeric_limits<double>::infinity());
   info_.reference = facts.reference;
   info_.begin = facts.begin;
   info_.notices.insert(info_.notices.end(), facts.notices.begin(), facts.notices.end());

@@ -17,15 +17,14 @@ namespace capstan::live {
 /// A robot that sends its samples while they are measured. Its thread receives; next() waits.
 class LiveSource final : public tracking::Source, public Commandable {
  public:
-  /// Opens the set-up's addresses. From standard input the first rows are awaited, and a fault in the rows
-  /// ends the source; elsewhere it disconnects the program that has sent it, and another one may connect.
-  /// Throws base::InputError for an address that cannot be opened, and for the first rows of standard input.
-  explicit LiveSource(const LiveSetup& setup);
+  /// Opens the set-up's addresses. The source ends `duration` [s] after its first sample, by the session's
+  /// clock; where no more samples come, by that of this computer, kLate later. Where none ever comes:
+  /// kLateBegin after that time from now. 0: it does not end by itself. From standard input the first rows
+  /// are awaited, and a fault in the rows ends the source; elsewhere it disconnects the program that has sent
+  /// it, and another one may connect. Throws base::InputError for an address that cannot be opened, and for
+  /// the first rows of standard input.
+  explicit LiveSource(const LiveSetup& setup, double duration = 0.0);
   ~LiveSource() override;
-
-  /// Ends the source `seconds` after its first sample, by the session's clock; where no more samples come, by
-  /// that of this computer, kLate later. Where none ever comes: kLateBegin after that time from now.
-  void endAfter(double seconds) { duration_ = seconds, begun_at_ = SampleQueue::Clock::now(); }
 
   const tracking::SourceInfo& info() const override { return info_; }
   bool next(tracking::Sample& out) override;
@@ -55,9 +54,10 @@ class LiveSource final : public tracking::Source, public Commandable {
   std::unique_ptr<CameraSide> cameras_;  ///< null: none; ends before rows_, whose clock it uses
   std::shared_ptr<JointCommander> commander_;
   std::optional<robot::Transmission> transmission_;  ///< of the robot that is commanded
-  double duration_ = 0.0;
-  std::optional<double> begin_;                ///< session time of the first sample [s]
-  SampleQueue::Clock::time_point begun_at_{};  ///< when it came; before, when endAfter() was called
+  const double duration_;                            ///< [s]; 0: unlimited
+  std::optional<double> begin_;                      ///< session time of the first sample [s]
+  SampleQueue::Clock::time_point begun_at_ =
+      SampleQueue::Clock::now();  ///< when it came; before, of this object
   bool left_blocked_ = false, right_blocked_ = false;
 };
 inline constexpr std::chrono::seconds kLate{2}, kLateBegin{10};

@@ -88,13 +88,30 @@ Vector3d MotorArrangement::jointOf(const recording::MeasuredTable& rows, const V
   return q;
 }
 
+/// Whether joint k at `q` is outside its limits and its hard stop by more than the margin.
+bool MotorArrangement::isBeyond(int k, double q) const {
+  const robot::Joint& joint = robot_.joints[static_cast<std::size_t>(k)];
+  const double margin = kLimitMargin * (joint.limit_high - joint.limit_low);
+  return q < std::min(joint.limit_low, joint.homing) - margin ||
+         q > std::max(joint.limit_high, joint.homing) + margin;
+}
+
+std::string MotorArrangement::beyondLimits(const recording::MeasuredTable& rows) const {
+  const Vector3d q = jointOf(rows, Vector3d::Ones());
+  std::string text;
+  for (int k = 0; k < 3; ++k) {
+    const robot::Joint& joint = robot_.joints[static_cast<std::size_t>(k)];
+    if (isBeyond(k, q[k]))
+      text += fmt::format("by the motors, joint {} ({}) has left its limits {} to {}. ", k + 1, joint.name,
+                          shown(joint, joint.limit_low), shown(joint, joint.limit_high));
+  }
+  return text.empty() ? text : text + kRemedy;
+}
+
 void MotorArrangement::checkLimits(const recording::MeasuredTable& rows, const Vector3d& q) const {
   for (int k = 0; k < 3; ++k) {
     const robot::Joint& joint = robot_.joints[static_cast<std::size_t>(k)];
-    const double margin = kLimitMargin * (joint.limit_high - joint.limit_low);
-    const double low = std::min(joint.limit_low, joint.homing) - margin;
-    const double high = std::max(joint.limit_high, joint.homing) + margin;
-    if (std::isnan(q[k]) || (q[k] >= low && q[k] <= high)) continue;
+    if (!isBeyond(k, q[k])) continue;
     throw base::InputError(
         {rows.file,
          0,

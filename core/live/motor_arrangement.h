@@ -25,11 +25,14 @@ class MotorArrangement {
   /// The margin has room for cable stretch (up to about 2°) and for the arm at its limit; an offset of the
   /// homing beyond it is as wrong as an exchanged motor.
   bool check(const recording::MeasuredTable& rows) const;
+  /// Sentence about the joints that stand outside the same bounds by these rows; empty: none.
+  std::string beyondLimits(const recording::MeasuredTable& rows) const;
 
   static constexpr double kLimitMargin = 0.1;  ///< share of the joint's range, as robot::ArmKinematics
 
  private:
   Eigen::Vector3d jointOf(const recording::MeasuredTable& rows, const Eigen::Vector3d& factor) const;
+  bool isBeyond(int k, double q) const;
   void checkLimits(const recording::MeasuredTable& rows, const Eigen::Vector3d& q) const;
   void checkDegrees(const recording::MeasuredTable& rows, const Eigen::Vector3d& q) const;
 

@@ -19,10 +19,14 @@ using tracking::MotorSample;
 using tracking::Sample;
 using tracking::StereoFrame;
 
+/// ROS time of a sample of the recording [ns]: as if it had been recorded now, whatever the speed.
+std::int64_t stampOf(const PlayClock& clock, double t) {
+  return ros1::nanosecondsOf(clock.started) + ros1::nanosecondsOf(t - clock.begin);
+}
+
 }  // namespace
 
-RosPlayer::RosPlayer(const tracking::SourceInfo& info)
-    : messages_(info), begin_(info.begin), ros_begin_(ros1::rosTimeNow()) {
+RosPlayer::RosPlayer(const tracking::SourceInfo& info) : messages_(info) {
   if (!ros1::isMasterThere())
     throw base::InputError({ros1::masterAddress(),
                             0,
@@ -31,7 +35,7 @@ RosPlayer::RosPlayer(const tracking::SourceInfo& info)
                             "is the address of no ROS master that answers",
                             "Start one with roscore, or set ROS_MASTER_URI"});
   // What a program needs before the first sample is latched: it can come late.
-  std::vector<ros1::OutMessage> facts = messages_.calibration(ros_begin_);
+  std::vector<ros1::OutMessage> facts = messages_.calibration(ros1::rosTimeNow());
   facts.push_back(messages_.session(0));
   for (const ros1::OutMessage& fact : facts)
     writers_.try_emplace(fact.topic, fact.topic, *fact.type, true).first->second.publish(fact.bytes);
@@ -63,9 +67,8 @@ bool RosPlayer::waitForSubscribers(Topics topics, std::chrono::milliseconds pati
   return true;
 }
 
-void RosPlayer::publish(const Sample& sample, double stamp) {
-  const std::int64_t time = ros_begin_ + ros1::nanosecondsOf(stamp - begin_);
-  for (const ros1::OutMessage& message : messages_.of(sample, time))
+void RosPlayer::publish(const Sample& sample, std::int64_t stamp) {
+  for (const ros1::OutMessage& message : messages_.of(sample, stamp))
     if (const auto writer = writers_.find(message.topic); writer != writers_.end())
       writer->second.publish(message.bytes);
 }
@@ -77,7 +80,7 @@ bool RosPlayer::hasSubscriber() const {
 
 /// A message that ends too early.
 void RosPlayer::publishDamaged(const Sample& sample) {
-  ros1::OutMessage message = messages_.of(sample, ros_begin_).front();
+  ros1::OutMessage message = messages_.of(sample, ros1::rosTimeNow()).front();
   message.bytes.resize(message.bytes.size() / 2);
   writers_.at(message.topic).publish(message.bytes);
 }
@@ -95,7 +98,7 @@ PlayReport RosPlayer::playRows(tracking::Source& source, const PlayClock& clock,
     const double t = std::visit([](const auto& one) { return one.t; }, sample);
     const auto* motor = std::get_if<MotorSample>(&sample);
     if (!motor) {
-      if (shift) publish(sample, t + *shift);
+      if (shift) publish(sample, stampOf(clock, t + *shift));
       continue;
     }
     const auto played = rows.next(row, t, clock.begin);
@@ -106,7 +109,8 @@ PlayReport RosPlayer::playRows(tracking::Source& source, const PlayClock& clock,
       if (played->row == row || !shown) shown = *motor;
       clock.waitUntil(played->due);
       if (played->garbage) publishDamaged(*shown);
-      for (int times = played->twice ? 2 : 1; times > 0; --times) publish(*shown, played->stamp);
+      for (int times = played->twice ? 2 : 1; times > 0; --times)
+        publish(*shown, stampOf(clock, played->stamp));
       ++(hasSubscriber() ? report.sent : report.lost);
     }
     if (progress && row % 256 == 0 && source.info().duration > 0.0)
@@ -138,7 +142,7 @@ ImagePlayReport RosPlayer::playImages(tracking::Source& source, const PlayClock&
     if (!pacer.wait(played->due)) continue;
     StereoFrame sent = shown;
     if (played->swapped) std::swap(sent.left, sent.right);
-    publish(sent, frame->t);
+    publish(sent, stampOf(clock, frame->t));
   }
   return report;
 }

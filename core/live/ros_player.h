@@ -34,13 +34,11 @@ class RosPlayer {
                              const base::Progress* progress);
 
  private:
-  void publish(const tracking::Sample& sample, double stamp);
+  void publish(const tracking::Sample& sample, std::int64_t stamp);
   bool hasSubscriber() const;  ///< the topic of motors
   void publishDamaged(const tracking::Sample& sample);
 
   ros1::SampleMessages messages_;
-  const double begin_;            ///< of the recording [s]
-  const std::int64_t ros_begin_;  ///< ROS time of the begin [ns]
   std::map<std::string, ros1::TopicWriter> writers_;
 };
 

@@ -54,6 +54,13 @@ ReadState RosRows::read(std::chrono::milliseconds wait) {
   return received_.empty() ? ReadState::kNothing : ReadState::kBytes;
 }
 
+std::optional<std::string> RosRows::hint() {
+  if (connections_ > 0) return {};
+  std::optional<std::string> why = hint_.ask();
+  if (why && why->empty()) why = topic_ + " is published, yet no message has come";
+  return why;
+}
+
 double RosRows::timeOf(std::int64_t stamp) {
   if (origin_ == 0) origin_ = stamp;
   return ros1::secondsOf(stamp - origin_);
@@ -98,17 +105,30 @@ void RosRows::takeMotors(const ros1::TopicMessage& message) {
 }
 
 void RosRows::takeEncoders(const ros1::TopicMessage& message) {
+  if (!ros1::isJointState(message.type)) {
+    encoders_type_ = message.type;
+    return;
+  }
+  encoders_type_.clear();
   const auto state = decoded<ros1::JointState>(message);
   const double t = timeOf(state.header.stamp != 0 ? state.header.stamp : ros1::rosTimeNow());
   if (const auto joints = ros1::jointOf(state, t)) pairing_.addEncoders(*joints, message.arrival);
 }
 
-/// Asks the master why no encoders come, as long as nobody has published any.
+/// Asks the master why no encoders come, as long as nobody has published any: on a thread of its own, since
+/// motors come meanwhile.
 void RosRows::noteSilentEncoders() {
-  if (pairing_.status().state != tracking::EncoderStatus::State::kSilent)
+  const bool silent = pairing_.status().state == tracking::EncoderStatus::State::kSilent;
+  if (asked_.valid()) {
+    if (asked_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
+    encoders_reason_ = asked_.get().value_or(encoders_reason_);
+  }
+  if (silent && !encoders_type_.empty())
+    encoders_reason_ = "its type is " + encoders_type_ + ", which carries no joint positions";
+  else if (!silent || encoders_->connections() > 0)
     encoders_reason_.clear();
-  else if (encoders_->connections() == 0)
-    encoders_reason_ = encoders_hint_.ask().value_or(encoders_reason_);
+  else if (encoders_hint_.isDue())
+    asked_ = std::async(std::launch::async, [this] { return encoders_hint_.ask(); });
 }
 
 std::optional<recording::MeasuredTable> RosRows::take() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deque>
+#include <future>
 #include <memory>
 #include <optional>
 
@@ -27,7 +28,7 @@ class RosRows final : public RowInput {
   std::optional<recording::MeasuredTable> take() override;
   void refuse(const std::string&) override { received_.clear(), received_encoders_.clear(); }
   void checkOrder(const recording::MeasuredTable&) override {}
-  std::optional<std::string> hint() override { return hint_.ask(); }
+  std::optional<std::string> hint() override;
   LostMessages lost() const override {
     return {motors_.lost(), encoders_ ? encoders_->lost() : std::uint64_t{0}};
   }
@@ -58,7 +59,9 @@ class RosRows final : public RowInput {
   std::int64_t origin_ = 0;  ///< first stamp [ns]; 0: none yet
   std::uint64_t connections_ = 0;
   TopicHint hint_, encoders_hint_;
-  std::string encoders_reason_;                                  ///< why none come; empty: not known
+  std::string encoders_reason_;  ///< why none come; empty: not known
+  std::string encoders_type_;    ///< type of a message that cannot be used; empty: none came
+  std::future<std::optional<std::string>> asked_;  ///< encoders_hint_, which has no other user meanwhile
   std::deque<ros1::TopicMessage> received_, received_encoders_;  ///< that take() has not decoded yet
   EncoderPairing pairing_;
 };

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "core/base/error.h"
@@ -32,7 +33,18 @@ RowSide::~RowSide() {
   thread_.join();
 }
 
-RowFacts RowSide::waitForFirst() { return first_.get_future().get(); }
+RowFacts RowSide::waitForFirst(double longest) {
+  std::future<RowFacts> first = first_.get_future();
+  constexpr double kYear = 3e7;  // the clock has no overflow
+  const std::chrono::duration<double> wait(std::min(longest, kYear));
+  if (first.wait_for(wait) == std::future_status::ready) return first.get();
+  throw base::InputError({input_->name(),
+                          0,
+                          {},
+                          {},
+                          fmt::format("has given no row for {:g} s", longest),
+                          "Check the program that writes the rows"});
+}
 
 void RowSide::rethrow() const {
   const std::lock_guard lock(mutex_);
@@ -66,8 +78,13 @@ double RowSide::newestTime() const {
 
 std::optional<double> RowSide::sessionTimeOfStamp(std::int64_t stamp) const {
   const std::lock_guard lock(mutex_);
-  if (!ros_stamp_of_begin_ || clock_steps_ > 0) return {};
+  if (!ros_stamp_of_begin_) return {};
   return ros1::secondsOf(stamp - *ros_stamp_of_begin_);
+}
+
+int RowSide::clockSteps() const {
+  const std::lock_guard lock(mutex_);
+  return static_cast<int>(clock_steps_);
 }
 
 void RowSide::work() {
@@ -97,9 +114,11 @@ void RowSide::readOnce() {
     if (state != ReadState::kClosed && state != ReadState::kEnded) return;
     const std::lock_guard lock(mutex_);
     status_.incomplete = input_->incomplete();
+    noticed_ = false;
     if (state == ReadState::kEnded) return;
     status_.state = State::kWaiting;
     status_.connected = false;
+    status_.warning.clear(), status_.reason.clear();
   } catch (const base::InputError& error) {
     if (faults_ == Faults::kEnd) throw;
     refuse(error.what());
@@ -117,6 +136,7 @@ void RowSide::begin(bool replaced) {
   motors_judged_ = noticed_ = false;
   times_.reconnect();
   const std::lock_guard lock(mutex_);
+  status_.warning.clear();
   ++status_.connections;
   status_.state = State::kWaiting;
   status_.connected = true;
@@ -133,15 +153,25 @@ void RowSide::notice(const recording::MeasuredTable& table) {
   std::vector<std::string> notices = recording::noticesOf(table);
   const bool encoders_of_their_own = !input_->encoders().from.empty();
   if (reference_ && table.q.empty() && !encoders_of_their_own)
-    notices.push_back(table.file + ": no joint encoders come (columns q): there is no reference");
+    notices.push_back(table.file + ": no joint encoders come: there is no reference");
   const std::lock_guard lock(mutex_);
   status_.notices = std::move(notices);
+}
+
+/// A motor that counts the other way leaves the limits of its joint only when the arm moves.
+void RowSide::watchLimits(const recording::MeasuredTable& table) {
+  if (!motors_judged_ || table.t.empty() || now() < limits_due_) return;
+  limits_due_ = now() + 0.2;
+  const std::string beyond = arrangement_.beyondLimits(table);
+  const std::lock_guard lock(mutex_);
+  status_.warning = beyond;
 }
 
 void RowSide::pass(recording::MeasuredTable table) {
   recording::checkForTracking(table, robot_);
   if (!motors_judged_) motors_judged_ = arrangement_.check(table);
   if (!std::exchange(noticed_, true)) notice(table);
+  watchLimits(table);
   input_->confirm();
   if (!reference_) table.q.clear();
   if (faults_ == Faults::kEnd) {
@@ -186,6 +216,9 @@ void RowSide::deliver(recording::MeasuredTable table, double arrival) {
   if (table.rows() == 0) {
     const std::lock_guard lock(mutex_);
     status_.repeated = times_.repeated();
+    if (status_.received > 0 && arrival - last_arrival_ > tracking::SideStatus::kSilence &&
+        status_.repeated > repeated_before_)
+      status_.reason = "rows come, yet their times t do not rise: check the clock of the sender";
     return;
   }
   std::uint64_t dropped = 0;
@@ -221,6 +254,7 @@ void RowSide::deliver(recording::MeasuredTable table, double arrival) {
   status_.missing = gaps_.missing();
   status_.gaps = gaps_.silences(), status_.last_gap = gaps_.lastSilence();
   status_.encoders = input_->encoders();
+  repeated_before_ = status_.repeated;
   last_arrival_ = faults_ == Faults::kEnd ? now() : arrival;  // they may have waited for room
   held_up_ = false;
   if (faults_ == Faults::kEnd) return;
@@ -241,6 +275,7 @@ void RowSide::refuse(const std::string& reason) {
   const std::lock_guard lock(mutex_);
   status_.state = State::kRefused;
   status_.connected = false;
+  status_.warning.clear(), status_.reason.clear();
   ++status_.refused;
   status_.fault = reason;
 }

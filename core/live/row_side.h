@@ -41,8 +41,9 @@ class RowSide {
           bool reference, Faults faults, SampleQueue& queue);
   ~RowSide();
 
-  /// Waits for the first rows. Throws what rethrow() throws.
-  RowFacts waitForFirst();
+  /// Waits up to `longest` [s] for the first rows. Throws what rethrow() throws, and base::InputError where
+  /// none come.
+  RowFacts waitForFirst(double longest);
   /// Throws the fault that has ended the stream, if there was one.
   void rethrow() const;
   tracking::SideStatus status() const;
@@ -52,9 +53,10 @@ class RowSide {
   double sessionBegin() const;
   /// Time of the newest row on the session's clock [s]; 0 before the first one.
   double newestTime() const;
-  /// Time on the session's clock of a stamp of the ROS clock [ns]; nothing where the rows have no such
-  /// stamps, or their clock has stepped.
+  /// Time on the session's clock of a stamp of the ROS clock [ns], by the newest rows; nothing where the rows
+  /// have no such stamps.
   std::optional<double> sessionTimeOfStamp(std::int64_t stamp) const;
+  int clockSteps() const;  ///< of the rows' own clock, so far
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -64,6 +66,7 @@ class RowSide {
   void noteHint();
   void begin(bool replaced);
   void notice(const recording::MeasuredTable& table);
+  void watchLimits(const recording::MeasuredTable& table);
   void pass(recording::MeasuredTable table);
   double waitUntilDue(double stamp);
   void deliverKept(recording::MeasuredTable table, std::vector<bool>& keep, double arrival);
@@ -83,6 +86,7 @@ class RowSide {
   std::promise<RowFacts> first_;
   bool first_known_ = false, ended_ = false;
   bool motors_judged_ = false, noticed_ = false;  ///< those of the program that is connected
+  double limits_due_ = 0.0;                       ///< next time of watchLimits() [s]
   std::atomic<bool> quit_{false};
   std::atomic<bool> held_up_{false};  ///< waits for room in the queue: the sender is not silent
 
@@ -93,6 +97,7 @@ class RowSide {
   ClockMap clock_;                                  ///< from the session's clock to this computer's
   double begin_ = 0.0, newest_ = 0.0;               ///< time of the first and the newest row [s]
   std::uint64_t clock_steps_ = 0;                   ///< of times_ that clock_ knows
+  std::uint64_t repeated_before_ = 0;               ///< excluded before the newest row
   double last_arrival_ = 0.0;                       ///< [s] after start_
   std::optional<std::int64_t> ros_stamp_of_begin_;  ///< of time 0 of the session [ns]
   std::exception_ptr fault_;

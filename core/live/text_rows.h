@@ -25,7 +25,8 @@ class TextRows final : public RowInput {
   ReadState read(std::chrono::milliseconds wait) override {
     bytes_.clear();
     state_ = stream_->read(bytes_, wait);
-    if (state_ == ReadState::kOpened || state_ == ReadState::kReplaced) parser_.restart(), connected_ = true;
+    if (state_ == ReadState::kOpened || state_ == ReadState::kReplaced) parser_.restart();
+    connected_ = connected_ || state_ == ReadState::kOpened || !bytes_.empty();
     parser_.add(bytes_);
     return state_;
   }

@@ -5,7 +5,7 @@
 namespace capstan::live {
 
 std::optional<std::string> TopicHint::ask() {
-  if (Clock::now() < next_) return {};
+  if (!isDue()) return {};
   std::string hint = ros1::hintFromMaster(topic_, fits_, what_);
   next_ = Clock::now() + kPeriod;
   return hint;

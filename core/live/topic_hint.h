@@ -15,6 +15,7 @@ class TopicHint {
  public:
   TopicHint(std::string topic, bool (*fits)(const std::string& type), std::string what)
       : topic_(std::move(topic)), fits_(fits), what_(std::move(what)) {}
+  bool isDue() const { return Clock::now() >= next_; }
   /// The hint; nothing: it is not time to ask. Waits as hintFromMaster().
   std::optional<std::string> ask();
 

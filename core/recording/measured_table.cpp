@@ -10,6 +10,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <optional>
 #include <set>
 
 #include "core/base/edit_distance.h"
@@ -66,16 +67,35 @@ std::string lettersOf(std::string_view name) {
   return letters;
 }
 
-/// Whether the name of an unused column is probably a misspelled `meant`.
-bool isMisspelled(std::string_view unused, std::string_view meant) {
+/// Number of edits that make the column `meant` of the unused column `name`; nothing: it is another word.
+std::optional<std::size_t> editsTo(std::string_view meant, std::string_view name) {
   constexpr std::size_t kLongest = 24;  // of a name that is examined
-  if (unused.size() > kLongest) return false;
-  const std::string letters = lettersOf(unused), of_meant = lettersOf(meant);
-  if (meant == "t")
-    return letters == "t" || letters.find("time") != std::string::npos ||
-           letters.find("stamp") != std::string::npos;
-  if (letters.empty() || letters.back() != of_meant.back()) return false;  // the number of the joint
-  return base::editDistance(letters, of_meant) <= (of_meant.size() - 1) / 2;
+  if (name.size() > kLongest) return {};
+  const std::string letters = lettersOf(name), wanted = lettersOf(meant);
+  if (meant == "t") {
+    const bool time = letters == "t" || letters.find("time") != std::string::npos ||
+                      letters.find("stamp") != std::string::npos;
+    return time ? std::optional(letters.size()) : std::nullopt;
+  }
+  if (letters.size() < 2 || letters.back() != wanted.back()) return {};  // the number of the joint
+  const std::size_t edits = base::editDistance(letters, wanted);
+  // m1 for q_m1 has lost its begin.
+  const bool near = edits <= (wanted.size() - 1) / 3 || (edits == 1 && wanted.ends_with(letters));
+  return near ? std::optional(edits) : std::nullopt;
+}
+
+/// The unused column that is probably a misspelled `meant`; empty: none.
+std::string misspelledAs(std::string_view meant, const std::vector<std::string>& unused) {
+  std::string nearest;
+  std::optional<std::size_t> least;
+  for (const std::string& name : unused)
+    if (const auto edits = editsTo(meant, name); edits && (!least || *edits < *least))
+      least = edits, nearest = name;
+  return nearest;
+}
+
+std::string unusedText(const std::vector<std::string>& columns) {
+  return columns.empty() ? "" : fmt::format("; not used: {}", fmt::join(columns, ", "));
 }
 
 /// Columns by (quantity, index) while they are being found, in any order.
@@ -115,20 +135,23 @@ class ColumnCollector {
                     "Add the column t: time [s], strictly increasing. Tables of tip poses are read by "
                     "diagnose and learn");
     std::size_t joints = 0;
-    for (std::size_t i = 0; i < kQuantities.size(); ++i)
-      if (kQuantities[i].by_joint) joints = std::max(joints, lastPresent(found_[i]));
+    std::string highest;  // column of a joint with the largest number
     for (std::size_t i = 0; i < kQuantities.size(); ++i) {
+      const std::size_t have = kQuantities[i].by_joint ? lastPresent(found_[i]) : 0;
+      if (have > joints) joints = have, highest = columnName(kQuantities[i], have - 1);
+    }
+    for (std::size_t i = 0; i < kQuantities.size(); ++i) {
+      const Quantity& quantity = kQuantities[i];
       const std::size_t have = lastPresent(found_[i]);
       if (have == 0) continue;
-      const std::size_t want = kQuantities[i].by_joint ? joints : 3;
-      for (std::size_t k = 0; k < want; ++k) {
-        if (!found_[i][k].present)
-          refuseMissing(
-              table_, columnName(kQuantities[i], k), reasonOf(i, have, want),
-              have == want
-                  ? fmt::format("Add it, or correct the number in {}", columnName(kQuantities[i], have - 1))
-                  : fmt::format("Add it, or remove the columns of {}", kQuantities[i].prefix));
-        (table_.*kQuantities[i].columns).push_back(std::move(found_[i][k].values));
+      for (std::size_t k = 0; k < (quantity.by_joint ? joints : 3); ++k) {
+        if (!found_[i][k].present) {
+          const std::string other = quantity.by_joint ? highest : columnName(quantity, have - 1);
+          refuseMissing(table_, columnName(quantity, k),
+                        fmt::format("is missing, yet the table has {}", other),
+                        fmt::format("Add it, or correct the number in {}", other));
+        }
+        (table_.*quantity.columns).push_back(std::move(found_[i][k].values));
       }
     }
   }
@@ -138,12 +161,6 @@ class ColumnCollector {
     bool present = false;
     std::vector<double> values;
   };
-  /// Why the columns of quantity `i`, of which the last is number `have`, are not complete.
-  static std::string reasonOf(std::size_t i, std::size_t have, std::size_t want) {
-    const Quantity& quantity = kQuantities[i];
-    if (have == want) return fmt::format("is missing, yet the table has {}", columnName(quantity, have - 1));
-    return fmt::format("is missing, yet other columns are numbered up to {}", want);
-  }
   static std::size_t lastPresent(const std::vector<Found>& columns) {
     std::size_t last = 0;
     for (std::size_t k = 0; k < columns.size(); ++k)
@@ -185,31 +202,38 @@ int MeasuredTable::joints() const {
 }
 
 void refuseMisspelled(const MeasuredTable& table, const std::string& name) {
-  for (const std::string& unused : table.ignored)
-    if (isMisspelled(unused, name))
-      throw base::InputError({table.file,
-                              table.lines.header(),
-                              unused,
-                              {},
-                              fmt::format("is no column of a measured table; {} is missing", name),
-                              fmt::format("Rename it to {}, if that is what it holds", name)});
+  const std::string misspelled = misspelledAs(name, table.ignored);
+  if (misspelled.empty()) return;
+  std::vector<std::string> others = table.ignored;
+  std::erase(others, misspelled);
+  throw base::InputError(
+      {table.file,
+       table.lines.header(),
+       misspelled,
+       {},
+       fmt::format("is no column of a measured table; {} is missing{}", name, unusedText(others)),
+       fmt::format("Rename it to {}, if that is what it holds", name)});
 }
 
 void refuseMissing(const MeasuredTable& table, const std::string& name, const std::string& reason,
                    const std::string& remedy) {
   refuseMisspelled(table, name);
-  const std::string unused =
-      table.ignored.empty() ? "" : fmt::format("; not used are {}", fmt::join(table.ignored, ", "));
-  throw base::InputError({table.file, table.lines.header(), name, {}, reason + unused, remedy});
+  throw base::InputError(
+      {table.file, table.lines.header(), name, {}, reason + unusedText(table.ignored), remedy});
 }
 
-std::string columnMeantBy(const MeasuredTable& table, std::string_view name) {
+std::string columnMeantBy(const MeasuredTable& table, const std::string& name) {
+  std::string nearest;
+  std::optional<std::size_t> least;
   for (const Quantity& quantity : kQuantities) {
     const int most = quantity.by_joint ? std::min(table.joints() + 1, kMaxJoints) : 3;
-    for (auto k = (table.*quantity.columns).size(); k < static_cast<std::size_t>(most); ++k)
-      if (const std::string meant = columnName(quantity, k); isMisspelled(name, meant)) return meant;
+    for (auto k = (table.*quantity.columns).size(); k < static_cast<std::size_t>(most); ++k) {
+      const std::string meant = columnName(quantity, k);
+      const auto edits = editsTo(meant, name);
+      if (edits && (!least || *edits < *least)) least = edits, nearest = meant;
+    }
   }
-  return {};
+  return nearest;
 }
 
 MeasuredTable readMeasuredTable(const table_files::ColumnReader& columns, const std::string& file) {

@@ -53,7 +53,7 @@ void refuseMisspelled(const MeasuredTable& table, const std::string& name);
                                 const std::string& reason, const std::string& remedy);
 /// Column that `table` lacks and that its unused column `name` probably stands for, as q_m3 for qm3; empty:
 /// none.
-std::string columnMeantBy(const MeasuredTable& table, std::string_view name);
+std::string columnMeantBy(const MeasuredTable& table, const std::string& name);
 /// Throws base::InputError for the first row whose time is not above that of the row before; for the first
 /// row, `before` [s].
 void checkTimes(const MeasuredTable& table, double before);

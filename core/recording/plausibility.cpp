@@ -21,7 +21,8 @@ std::string rangeText(const Range& range, const char* unit) {
 }
 
 std::string spanText(const Range& span) {
-  return (span.low == span.high ? "is " : "spans ") + rangeText(span, "");
+  const std::string range = rangeText(span, "");
+  return (range.find("…") == std::string::npos ? "is " : "spans ") + range;
 }
 
 std::string readText(const Range& span, const UnitBounds& bounds, std::optional<ColumnUnit> unit) {

@@ -33,7 +33,10 @@ std::string keepAll(const std::vector<UnitFinding>& findings) {
 std::string remedyFor(const MeasuredTable& table, const std::vector<UnitFinding>& findings) {
   const std::string proposed = proposedReadAs(table, findings), keep = keepAll(findings);
   const std::string convert =
-      proposed == keep ? "" : fmt::format("If these are their units, read it with --read-as {}. ", proposed);
+      proposed == keep
+          ? ""
+          : fmt::format("If these are their units, read it with --read-as {0} (live set-up: read_as: {0}). ",
+                        proposed);
   return fmt::format(
       "\n{}If the values are right as they are, read it with --read-as {}. A table of another robot needs "
       "its "

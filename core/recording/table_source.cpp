@@ -40,7 +40,8 @@ void checkForTracking(const MeasuredTable& table, const robot::Description& robo
          table.joints() == 1 ? "Choose a recording of a three-joint arm and its robot file; one drive alone "
                                "can be identified: "
                                "capstan-cli identify TABLE --robot FILE"
-                             : "Choose a recording of a three-joint arm and its robot file"});
+         : table.joints() == 2 ? "Add the column q_m3, or choose a recording of a three-joint arm"
+                               : "Choose a recording of a three-joint arm and its robot file"});
 }
 
 TableSource::TableSource(const std::filesystem::path& path, const robot::Description& robot,

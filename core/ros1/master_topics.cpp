@@ -4,9 +4,11 @@
 #include <httplib.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cstdlib>
 
 #include "core/base/edit_distance.h"
+#include "core/base/error.h"
 
 namespace capstan::ros1 {
 namespace {
@@ -38,6 +40,22 @@ std::vector<std::string> leavesOf(const std::string& xml) {
 std::string masterUri() {
   const char* uri = std::getenv("ROS_MASTER_URI");
   return uri != nullptr && *uri != '\0' ? uri : "http://localhost:11311";
+}
+
+void checkMasterUri() {
+  constexpr std::string_view kScheme = "http://";
+  const std::string uri = masterUri();
+  const std::size_t colon = uri.rfind(':');
+  std::uint16_t port = 0;
+  const bool named = uri.starts_with(kScheme) && colon != std::string::npos && colon > kScheme.size();
+  const char *begin = named ? uri.data() + colon + 1 : nullptr, *end = uri.data() + uri.size();
+  if (named && end[-1] == '/') --end;
+  if (named)
+    if (const auto [last, fault] = std::from_chars(begin, end, port);
+        fault == std::errc() && last == end && port > 0)
+      return;
+  throw base::InputError(
+      {{}, 0, "ROS_MASTER_URI", uri, "is no address of a ROS master", "Set it as in http://localhost:11311"});
 }
 
 std::optional<std::vector<TopicType>> topicsOfAnswer(const std::string& xml) {

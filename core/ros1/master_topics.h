@@ -11,6 +11,8 @@ namespace capstan::ros1 {
 
 /// Address of the ROS master: the environment variable ROS_MASTER_URI, else "http://localhost:11311".
 std::string masterUri();
+/// Throws base::InputError where masterUri() is not http://HOST:PORT: ROS would end this program.
+void checkMasterUri();
 
 /// Topics that somebody publishes at the master `uri` ("http://HOST:PORT"), in order of their names; nothing
 /// if no master answers there within `patience` for the connection and as much for the answer. The master's

@@ -7,6 +7,7 @@
 #include <ros/this_node.h>
 #include <unistd.h>
 
+#include "core/ros1/master_topics.h"
 #include "core/ros1/ros_topics.h"
 
 namespace capstan::ros1 {
@@ -37,6 +38,7 @@ void sayOnlyWithMaster(bool master) {
 }  // namespace
 
 std::shared_ptr<RosNode> RosNode::get() {
+  checkMasterUri();
   static std::mutex mutex;
   static std::weak_ptr<RosNode> node;
   const std::lock_guard<std::mutex> lock(mutex);

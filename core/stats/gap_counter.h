@@ -9,20 +9,23 @@
 
 namespace capstan::stats {
 
-/// Counts the samples that are missing between those that came, from their own times: a sender with a steady
-/// period leaves a gap of two periods where one is missing. A sender that was held up stamps the rows that it
-/// then sends late. What counts is therefore the earliest time at which a sample was due, by the newest
-/// kSettled samples of which one was probably in time: what this time has moved by since before the gap, less
-/// the samples since then.
+/// Counts the samples that are missing between those that came, from their own times t_k. A sender is held up
+/// now and then, and stamps samples late, but never early: sample k was due at
 ///
-/// The period is the median of the medians of the last kBlocks blocks of kLearned intervals. Where most
-/// intervals are those of a sender that makes up for a gap, it is their mean.
+///     d_k = min over i of (t_i + (k − i) · period),  i = k − kWindow + 1 … k,
+///
+/// if one of these samples was in time. Where d_k rises by a period more than it should, a sample is missing;
+/// where it then falls by one, a sample came late that had been counted as missing. The newest kWindow
+/// samples may hide gaps that are not counted yet. Delays that are as long as the period and change with
+/// every sample hide some for good.
+///
+/// The period is the median of the usual intervals of the last kBlocks blocks of kLearned. Where most
+/// intervals are those of a sender that makes up for a gap, it is their mean. kOthers blocks in
+/// succession with another usual interval are those of a sender with another period.
 class GapCounter {
  public:
   static constexpr std::size_t kLearned = 32, kBlocks = 32;
-  static constexpr std::size_t kSettled = 8;
-  /// A gap ends where so many samples in turn leave it as it is, and after so many in any case.
-  static constexpr std::size_t kSame = 16, kLongest = 1024;
+  static constexpr std::size_t kWindow = 16, kOthers = 4;
   static constexpr double kSilence = 0.35;  ///< a longer gap is a silence, not missing samples [s]
   static constexpr double kLeastPeriod =
       1e-5;  ///< no robot sends faster: smaller intervals are no period [s]
@@ -32,75 +35,86 @@ class GapCounter {
     last_ = t;
     if (count_++ == 0 || interval <= 0.0) return;
     span_ += std::min(interval, kSilence);
-    if (period_ == 0.0 || interval > kSilence) credit_ = 0;
     if (interval > kSilence) {
       ++silences_, last_silence_ = interval;
-      settle();
-      due_.forget();
+      if (window_ > 0) note(std::round((due(kLast) - due(kWindow)) / period_));
+      credit_ = window_ = open_ = 0;
       return;
     }
-    if (period_ > 0.0) judge(t, std::round(interval / period_) == 1.0);
+    if (period_ > 0.0)
+      judge(t);
+    else
+      credit_ = 0;
     intervals_[learned_++] = interval;
     if (learned_ == kLearned) learn();
   }
   /// The next gaps have `lost` samples that came and were lost here: they are counted elsewhere.
   void credit(std::uint64_t lost) { credit_ += lost; }
-  /// Samples missing so far; those of the newest gap may still come late.
-  std::uint64_t missing() const { return missing_ + gap_ - std::min(gap_, credit_); }
+  std::uint64_t missing() const { return missing_; }    ///< samples so far
   std::uint64_t silences() const { return silences_; }  ///< so far
   double lastSilence() const { return last_silence_; }  ///< length of the newest one [s]
 
  private:
-  /// Earliest time at which the newest sample was due, by itself and the ones before it.
-  class Due {
-   public:
-    void forget() { count_ = 0; }
-    void add(double t) { times_[count_++ % kSettled] = t; }
-    std::size_t count() const { return count_; }
-    /// By the newest `samples` of them, at most kSettled.
-    double newest(double period, std::size_t samples) const {
-      double due = times_[(count_ - 1) % kSettled];
-      for (std::size_t back = 1; back < std::min({samples, count_, kSettled}); ++back)
-        due = std::min(due, times_[(count_ - 1 - back) % kSettled] + static_cast<double>(back) * period);
-      return due;
-    }
+  static constexpr std::size_t kLast = 4;  ///< samples that tell what is missing where a silence follows
 
-   private:
-    std::array<double, kSettled> times_{};
-    std::size_t count_ = 0;
-  };
-
-  void settle() {
-    const std::uint64_t known = std::min(gap_, credit_);
-    missing_ += gap_ - known, credit_ -= known;
-    gap_ = 0, open_ = false;
+  /// When the newest sample was due, by the newest `samples` ones [s].
+  double due(std::size_t samples) const {
+    double due = times_[(window_ - 1) % kWindow];
+    for (std::size_t back = 1; back < std::min(window_, samples); ++back)
+      due = std::min(due, times_[(window_ - 1 - back) % kWindow] + static_cast<double>(back) * period_);
+    return due;
   }
 
-  void judge(double t, bool regular) {
-    if (!open_ && !regular && due_.count() > 0) {
-      open_ = true, since_ = same_ = 0;
-      before_ = due_.newest(period_, kSettled);
+  void judge(double t) {
+    const double before = window_ > 0 ? due(kWindow) : t - period_;
+    times_[window_++ % kWindow] = t;
+    note(std::round((due(kWindow) - before) / period_) - 1.0);
+  }
+
+  /// Counts missing samples; a negative number: late ones, which were counted as missing.
+  void note(double periods) {
+    const auto samples = static_cast<std::uint64_t>(std::abs(periods));
+    if (periods < 0.0) {
+      const std::uint64_t late = std::min(open_, samples);
+      missing_ -= late, open_ -= late;
+      caught_up_ = caught_up_ || late > 0;
+    } else if (periods > 0.0) {
+      const std::uint64_t known = std::min(samples, credit_);
+      credit_ -= known;
+      missing_ += samples - known, open_ += samples - known;
     }
-    due_.add(t);
-    if (!open_) return;
-    ++since_;
-    const double periods = std::round((due_.newest(period_, since_) - before_) / period_);
-    const auto gap = static_cast<std::uint64_t>(std::max(periods - static_cast<double>(since_), 0.0));
-    same_ = std::exchange(gap_, gap) == gap ? same_ + 1 : 0;
-    if (since_ == kLongest) due_.forget();  // a gap among its samples would count again
-    if (same_ == kSame || since_ == kLongest) settle();
+    quiet_ = periods == 0.0 ? quiet_ + 1 : 0;
+    if (quiet_ >= kLearned) open_ = 0;
   }
 
   void learn() {
     constexpr double kLeastShare = 0.4;  // of the mean; half of the rows missing at random leave 0.5
-    blocks_[block_ % kBlocks] = {medianOf(intervals_, kLearned), span_};
+    const double usual = usualInterval();
+    const bool late = std::exchange(caught_up_, false), catches_up = late && usual < period_;
+    const bool other = period_ > 0.0 && std::abs(usual - period_) > 0.4 * period_ && !catches_up;
+    others_ = other ? others_ + 1 : 0;
+    if (others_ == 0) missing_before_ = missing_;
+    if (others_ == kOthers) {
+      missing_ = missing_before_;
+      block_ = window_ = open_ = others_ = 0;
+    }
+    blocks_[block_ % kBlocks] = {usual, span_};
     const std::size_t count = std::min(++block_, kBlocks);
     std::array<double, kBlocks> medians;
     double span = 0.0;
-    for (std::size_t k = 0; k < count; ++k) medians[k] = blocks_[k].median, span += blocks_[k].span;
+    for (std::size_t k = 0; k < count; ++k) medians[k] = blocks_[k].usual, span += blocks_[k].span;
     const double median = medianOf(medians, count), mean = span / static_cast<double>(count * kLearned);
     period_ = std::max(median < kLeastShare * mean ? mean : median, kLeastPeriod);
     learned_ = 0, span_ = 0.0;
+  }
+
+  /// Mean of the intervals of the block that are not far from their median, which gaps have made longer.
+  double usualInterval() {
+    const double median = medianOf(intervals_, kLearned);
+    double sum = 0.0, count = 0.0;
+    for (const double interval : intervals_)
+      if (interval > 0.5 * median && interval < 1.5 * median) sum += interval, ++count;
+    return sum / count;
   }
 
   template <std::size_t N>
@@ -111,21 +125,22 @@ class GapCounter {
   }
 
   struct Block {
-    double median = 0.0, span = 0.0;  ///< of its intervals [s]; silences count as kSilence
+    double usual = 0.0, span = 0.0;  ///< of its intervals [s]; silences count as kSilence
   };
   std::array<double, kLearned> intervals_{};
   std::array<Block, kBlocks> blocks_{};
   std::size_t learned_ = 0, block_ = 0;
+  std::array<double, kWindow> times_{};  ///< of the newest samples, the one of number n at n mod kWindow [s]
+  std::size_t window_ = 0;               ///< samples since the period is known, or since a silence
   double last_ = 0.0, period_ = 0.0, span_ = 0.0;
   double last_silence_ = 0.0;
   std::uint64_t count_ = 0, missing_ = 0, silences_ = 0;
-  std::uint64_t credit_ = 0;  ///< of credit(), not found in a gap yet
-  Due due_;
-  bool open_ = false;      ///< a gap, whose late samples may still come
-  double before_ = 0.0;    ///< when the last sample before it was due [s]
-  std::uint64_t gap_ = 0;  ///< samples missing in it so far
-  std::size_t since_ = 0;  ///< samples since it began
-  std::size_t same_ = 0;   ///< samples in turn that have left gap_ as it was
+  std::uint64_t credit_ = 0;          ///< of credit(), not found in a gap yet
+  std::uint64_t open_ = 0;            ///< of missing_, may still come late
+  std::size_t quiet_ = 0;             ///< samples in succession that changed nothing
+  std::size_t others_ = 0;            ///< blocks in succession with another usual interval than the period
+  bool caught_up_ = false;            ///< late samples came in this block
+  std::uint64_t missing_before_ = 0;  ///< before the blocks of another period
 };
 
 }  // namespace capstan::stats

@@ -49,7 +49,8 @@ Header parseHeader(std::string_view line, const std::string& file, const ColumnT
          {},
          "has no header line",
          "Begin the table with column names, of joints t,q_m1,… or of tip poses traj,t_cam_s,cam_x,…"});
-  if (line.find(',') == std::string_view::npos && line.find_first_of(";\t") != std::string_view::npos)
+  if (line.find(',') == std::string_view::npos &&
+      trimmed(line).find_first_of("; \t") != std::string_view::npos)
     throw base::InputError({file,
                             1,
                             {},

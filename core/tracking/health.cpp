@@ -244,17 +244,26 @@ void addEncoders(const TrackReport& report, Checks& checks) {
 }
 
 void addLost(const TrackReport& report, const HealthLimits& limits, Checks& checks) {
-  const std::uint64_t lost = report.lost + report.motor_refused;
+  const std::uint64_t lost = report.lost + report.motor_refused + report.motor_stray;
   const double part = share(lost, report.motor_samples + report.camera_samples);
-  HealthCheck check{"lost",
-                    "lost samples",
-                    judge(part, limits.lost, limits.lost_fail),
-                    fmt::format("{}", lost),
-                    "none",
-                    "Samples were missing, dropped, or not later than the one before. Check the connection, "
-                    "the device's clock and the load of this computer."};
+  HealthCheck check{
+      "lost",
+      "lost samples",
+      judge(part, limits.lost, limits.lost_fail),
+      fmt::format("{}", lost),
+      "none",
+      "Samples were missing, dropped, not later than the one before, or stray: with motor positions that no "
+      "arm "
+      "can have reached since then. Check the connection, the device's clock and the load of this computer."};
   if (report.motor_refused > 0) check.value += fmt::format(" ({} refused)", report.motor_refused);
+  if (report.motor_stray > 0) check.value += fmt::format(" ({} stray)", report.motor_stray);
   add(checks, std::move(check));
+}
+
+void addRefusals(const TrackReport& report, Checks& checks) {
+  if (report.refusal.empty()) return;
+  add(checks, {"refusals", "refused data", HealthVerdict::kCautious, "yes", "none",
+               "Data were refused: " + report.refusal});
 }
 
 }  // namespace
@@ -267,6 +276,8 @@ std::uint64_t lostOf(const std::vector<SideStatus>& sides) {
 
 void noteSource(const SourceInfo& info, const std::vector<SideStatus>& sides, TrackReport& report) {
   report.lost = lostOf(sides);
+  for (const SideStatus& side : sides)
+    if (side.refused > 0) report.refusal = side.fault;
   report.live_cameras = info.real_time && info.rig.has_value();
 }
 
@@ -284,6 +295,7 @@ std::vector<HealthCheck> healthOf(const TrackReport& report, const robot::Descri
   addRescues(report, limits, checks);
   addEncoders(report, checks);
   addLost(report, limits, checks);
+  addRefusals(report, checks);
   return checks;
 }
 

@@ -24,6 +24,7 @@
 #include "core/tracking/pipeline.h"
 #include "core/tracking/pipeline_parts.h"
 #include "core/tracking/stereo_tip.h"
+#include "core/tracking/stray_readings.h"
 #include "core/tracking/time_series.h"
 #include "core/tracking/transmission_estimator.h"
 
@@ -40,6 +41,7 @@ class TrackingPipeline::Impl {
         numbers_(robot::foldEffects(robot)),
         cameras_(robot),
         arm_(numbers_),
+        stray_(numbers_),
         watch_(numbers_, options),
         motors_(robot, options.differentiation_time, memorySize(options)),
         cables_(motors_.transmission()),
@@ -81,6 +83,7 @@ class TrackingPipeline::Impl {
 
   void reset() {
     if (slow_) slow_->reset();
+    stray_.clear();
     watch_.clear();
     motors_.clear();
     reference_.clear();
@@ -155,8 +158,9 @@ class TrackingPipeline::Impl {
   /// the camera as silent.
   void endCamera();
 
-  void take(const MotorSample& sample) {
+  void take(MotorSample sample) {
     const double before = snapshot_.t;
+    if (stray_.takeOut(sample)) ++snapshot_.motor_stray;
     const std::optional<MotorSample> known = watch_.take(sample);
     const MotorSide::Taken taken = known ? motors_.take(*known) : MotorSide::Taken::kRefused;
     if (taken == MotorSide::Taken::kRefused) {
@@ -326,6 +330,7 @@ class TrackingPipeline::Impl {
   robot::Description numbers_;  ///< robot_ after robot::foldEffects()
   CameraReading cameras_;
   robot::ArmKinematics arm_;
+  StrayReadings stray_;
   EncoderWatch watch_;
   MotorSide motors_;
   PartialKinematics cables_;

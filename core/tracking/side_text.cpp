@@ -67,7 +67,7 @@ std::string stateOf(const SideStatus& side, const std::string& how_long) {
 }
 
 bool needsAttention(const SideStatus& side) {
-  if (isBehind(side)) return true;
+  if (isBehind(side) || !side.warning.empty()) return true;
   if (side.state == State::kWaiting) return side.received > 0 || side.refused > 0;
   return side.state == State::kSilent || side.state == State::kFrozen || side.state == State::kRefused ||
          side.state == State::kEnded;
@@ -93,6 +93,7 @@ std::string shortTextOf(const SideStatus& side) {
   }
   if (isBehind(side))
     return fmt::format("tracking is {:.1f} s behind: it is slower than the incoming data", side.backlog);
+  if (!side.warning.empty()) return fmt::format("{}: {}", side.name, side.warning);
   const std::string encoders = encodersText(side), counts = countsText(side);
   if (!encoders.empty() || counts.empty()) return encoders;
   return fmt::format("{}: {}", side.name, counts);
@@ -141,6 +142,7 @@ std::string textOf(const SideStatus& side) {
   if (const std::string why = whyNotUsed(side.encoders); !why.empty()) text += "; " + why;
   if (side.refused > 0) text += fmt::format("; {} refused", side.refused);
   if (!side.fault.empty()) text += "; last fault: " + side.fault;
+  if (!side.warning.empty()) text += "; " + side.warning;
   if (!side.reason.empty()) text += "; nothing comes: " + side.reason;
   return text;
 }

@@ -70,6 +70,9 @@ std::vector<std::string> SideWatch::observe(const std::vector<SideStatus>& sides
       for (const std::string& notice : side.notices)
         sentences.push_back(fmt::format("{}: {}", side.name, notice));
     seen.notices = side.notices;
+    if (!side.warning.empty() && (side.warning != seen.warning || restated))
+      sentences.push_back(fmt::format("{}: {}", side.name, side.warning));
+    seen.warning = side.warning;
     const std::string encoders = encodersText(side);
     if (encoders != seen.encoders || (restated && !encoders.empty()))
       sentences.push_back(encoders.empty() ? side.name + ": joint encoders are used" : encoders);

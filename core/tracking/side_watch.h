@@ -29,7 +29,7 @@ class SideWatch {
     SideStatus::State state = SideStatus::State::kWaiting;
     std::string part, fault, reason;
     std::uint64_t steps = 0, received = 0, refused = 0, incomplete = 0, gaps = 0;
-    std::string encoders;
+    std::string encoders, warning;
     std::vector<std::string> notices;
     std::optional<SideStatus::Times> times;        ///< that were said last
     std::optional<Clock::time_point> other_since;  ///< since when they are others

@@ -44,6 +44,7 @@ struct Snapshot {
   bool motor_updated = false;        ///< this step took a motor sample
   std::uint64_t motor_samples = 0;   ///< number of motor samples taken so far
   std::uint64_t motor_refused = 0;   ///< number of motor samples refused: not finite, or time not increasing
+  std::uint64_t motor_stray = 0;     ///< number of motor samples with positions not used (StrayReadings)
   std::uint64_t camera_samples = 0;  ///< number of frames or tip samples taken so far
 
   /// Failed encoders, by motor: kLost gave no position for longer than a gap, kFrozen stands still while the

@@ -74,6 +74,7 @@ struct SideStatus {
                                   ///< time; kRefused: `fault` disconnected it
   bool connected = false;         ///< kWaiting: a program is connected, and no valid row has come from it
   std::string fault;              ///< why this program disconnected another one last; empty: never
+  std::string warning;            ///< what is wrong with data that are used; empty: nothing
   std::string reason;             ///< why nothing comes now; empty: not known, or something comes
   std::vector<std::string> notices;  ///< remarks on what the connected program sends, one per line
   double silent_for = 0.0;           ///< time since the last sample, or the last new image [s]

@@ -26,6 +26,7 @@ void TrackReport::add(const Snapshot& snapshot) {
   rescues += rescue_rise_.to(snapshot.rescues);
   late_dropped += late_rise_.to(snapshot.late_dropped);
   motor_refused += refused_rise_.to(snapshot.motor_refused);
+  motor_stray += stray_rise_.to(snapshot.motor_stray);
   if (snapshot.reference_paired && std::isfinite(snapshot.nees)) {
     nees_sum += snapshot.nees;
     ++nees_count;

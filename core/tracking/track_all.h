@@ -40,10 +40,12 @@ struct TrackReport {
   LatencyCounts latencies;       ///< of camera samples
   std::uint64_t rescues = 0, late_dropped = 0;
   std::uint64_t motor_refused = 0;  ///< motor samples that were not finite or not later than the one before
+  std::uint64_t motor_stray = 0;    ///< motor samples with a position that no arm can have (StrayReadings)
   bool live_cameras = false;        ///< a live source with cameras, noteSource(); else false
   bool own_kinematics = false;      ///< the errors are differences from the robot's own kinematics
   ReportStart since = ReportStart::kBeginning;
   std::uint64_t lost = 0;  ///< samples that a live source lost or dropped, noteSource(); else 0
+  std::string refusal;     ///< why a live source refused data last, noteSource(); empty: never
   std::array<MotorFault, 3> motor_failed{};    ///< failed encoders at the end
   std::array<double, 3> motor_failed_since{};  ///< time of detection or declaration [s]
   TransmissionEstimate transmission;           ///< estimate of the augmented filter at the end
@@ -73,7 +75,7 @@ struct TrackReport {
       return total - from;
     }
   };
-  Rise rescue_rise_, late_rise_, refused_rise_;
+  Rise rescue_rise_, late_rise_, refused_rise_, stray_rise_;
 };
 
 template <class T>

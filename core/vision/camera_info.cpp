@@ -125,7 +125,7 @@ StereoRig rigOf(const InfoFile& left, const InfoFile& right) {
                                     p_right = right.info.projection.matrix();
   if (p_left(0, 3) != 0.0 || p_left(1, 3) != 0.0)
     left.refuse("projection_matrix", "has a baseline, which only the right camera's has",
-                p_left(0, 3) < 0.0 ? "Exchange the two files: this is the right camera's"
+                p_left(0, 3) < 0.0 ? "Exchange left and right: this is the right camera's"
                                    : "Calibrate both cameras together, as a stereo pair");
   if (p_right(1, 3) != 0.0)
     right.refuse("projection_matrix", "describes cameras one above the other",

@@ -1,6 +1,6 @@
 capstan_widget_test(
   NAME shell_test CASES
-  SOURCES shell_again_test.cpp shell_books_test.cpp shell_choice_test.cpp shell_compare_test.cpp shell_disk_test.cpp shell_drive_test.cpp live_dialog_test.cpp shell_monitor_test.cpp shell_motors_test.cpp shell_recover_test.cpp shell_replay_test.cpp shell_sessions_test.cpp shell_window_test.cpp
+  SOURCES shell_again_test.cpp shell_books_test.cpp shell_choice_test.cpp shell_compare_test.cpp shell_disk_test.cpp shell_drive_test.cpp live_dialog_test.cpp shell_monitor_test.cpp shell_motors_test.cpp shell_recover_test.cpp shell_replay_test.cpp shell_sessions_test.cpp shell_window_test.cpp shell_refusal_test.cpp
   LINKS capstan::shell nlohmann_json::nlohmann_json opencv_videoio PkgConfig::HTTPLIB)
 add_dependencies(shell_test capstan-cli)
 capstan_widget_test(NAME registration_window_test CASES SOURCES camera_window_test.cpp filter_window_test.cpp registration_window_test.cpp LINKS capstan::shell)

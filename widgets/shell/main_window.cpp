@@ -254,6 +254,7 @@ void MainWindow::onOpened(const tracking::SourceInfo& info, const SourceChoice& 
   notes_->clear();
   recording_since_.reset();  // that was of the session before
   sides_ = {};
+  refusals_.clear();
   pauses_ = live::PauseWatch(info.sender_waits);
   notes_->setRecording(false);
   notes_->addEvent(now_, "source", title_);
@@ -285,10 +286,27 @@ void MainWindow::onStatus(const live::RunStatus& status) {
   video_->setOutdated(status.sides);
   for (const std::string& change : sides_.observe(status.sides))
     notes_->addEvent(status.t, "source", QString::fromStdString(change));
+  showRefusal(status.sides);
   notePause(status);
   bar_->showStatus(status);
   const QString title = titleOfWindow(title_, status, recording_since_ ? status.t - *recording_since_ : -1.0);
   if (title != windowTitle()) setWindowTitle(title);
+}
+
+/// Shows why data were refused, whole and with the remedy, until others come. What was closed comes again
+/// with another reason only.
+void MainWindow::showRefusal(const std::vector<tracking::SideStatus>& sides) {
+  for (const tracking::SideStatus& side : sides) {
+    const QString about = QString::fromStdString(side.name);
+    std::string& shown = refusals_[side.name];
+    if (side.state == tracking::SideStatus::State::kReceiving) {
+      messages_->settle(about);
+      shown.clear();
+    } else if (side.refused > 0 && side.fault != shown && messages_->about() != "recording") {
+      shown = side.fault;
+      messages_->showMessage(tr("%1 refused: %2").arg(about, QString::fromStdString(side.fault)), about);
+    }
+  }
 }
 
 /// The pause of a recording that is played is none of the session.

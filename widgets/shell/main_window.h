@@ -2,6 +2,7 @@
 
 #include <QMainWindow>
 #include <QSettings>
+#include <map>
 #include <optional>
 
 #include "core/live/pause_watch.h"
@@ -92,6 +93,7 @@ class MainWindow : public QMainWindow {
   void askUnits(const recording::ImplausibleUnits& refused, const SourceChoice& choice);
   void onOpened(const tracking::SourceInfo& info, const SourceChoice& choice);
   void onStatus(const live::RunStatus& status);
+  void showRefusal(const std::vector<tracking::SideStatus>& sides);
   void notePause(const live::RunStatus& status);
   void onRecording(bool recording, const live::RunStatus& status);
   void listRecordedEvents();
@@ -107,8 +109,9 @@ class MainWindow : public QMainWindow {
   SessionLink link_;
   double now_ = 0.0;  ///< newest session time [s]
   QString title_ = "no source";
-  tracking::SideWatch sides_;  ///< changes of a live source, for the notes
-  live::PauseWatch pauses_;    ///< of a live source, for the notes
+  tracking::SideWatch sides_;                    ///< changes of a live source, for the notes
+  std::map<std::string, std::string> refusals_;  ///< by side of a live source: the reason that was shown
+  live::PauseWatch pauses_;                      ///< of a live source, for the notes
   std::optional<double> recording_since_;
   JointFigure* figure_;
   MessageBar *messages_, *news_, *export_news_, *compare_news_, *registration_news_;

@@ -24,13 +24,18 @@ ListeningSocket listenOn(const Address& address) {
   auto* const plain = reinterpret_cast<sockaddr*>(&at);
   if (!listening.socket.isOpen() || ::setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes) != 0 ||
       ::bind(socket, plain, size) != 0 || ::listen(socket, 4) != 0 ||
-      ::getsockname(socket, plain, &size) != 0)
-    throw base::InputError({"",
-                            0,
-                            {},
-                            listening.name,
-                            std::string("cannot be listened on: ") + std::strerror(errno),
-                            "Choose another port, or end the program or the live session that has it"});
+      ::getsockname(socket, plain, &size) != 0) {
+    const int why = errno;
+    throw base::InputError(
+        {"",
+         0,
+         {},
+         listening.name,
+         std::string("cannot be listened on: ") + std::strerror(why),
+         why == EADDRNOTAVAIL
+             ? "Give an address of this computer: 127.0.0.1 for its own programs, 0.0.0.0 for all"
+             : "Choose another port, or end the program or the live session that has it"});
+  }
   listening.name = fmt::format("tcp://{}:{}", address.host, ntohs(at.sin_port));
   return listening;
 }

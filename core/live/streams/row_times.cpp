@@ -27,6 +27,9 @@ void RowTimes::follow(double time, double arrival) {
     lead_ += std::clamp(lead - lead_, -most, most);
 }
 
+/// Whether a row follows one that was far behind: the clock has stepped.
+bool RowTimes::goesOn(double stamp) const { return back_ && stamp > *back_; }
+
 std::optional<double> RowTimes::of(double stamp, double arrival) {
   double time = stamp + offset_;
   if (!started_) {
@@ -36,6 +39,11 @@ std::optional<double> RowTimes::of(double stamp, double arrival) {
   } else {
     constexpr double kLeastPause = 1e-3, kLeastStep = 1e-6;  // [s]
     const double passed = std::max(arrival - arrival_, kLeastPause), ahead = stamp - stamp_;
+    if (ahead < -kBack && !reconnected_ && !goesOn(stamp)) {
+      back_ = stamp;
+      ++repeated_;
+      return {};
+    }
     const bool stepped = ahead < -kBack || aheadBy(time, arrival) > 0.0;
     if (stepped || (reconnected_ && ahead <= 0.0)) {
       ++steps_;
@@ -51,6 +59,7 @@ std::optional<double> RowTimes::of(double stamp, double arrival) {
     }
   }
   follow(time, arrival);
+  back_.reset();
   reconnected_ = false;
   stamp_ = stamp, arrival_ = arrival, time_ = time;
   return time;

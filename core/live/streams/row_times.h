@@ -6,10 +6,11 @@
 namespace capstan::live {
 
 /// Times of rows that come in real time, on the session's clock. That clock starts at 0 with the first row
-/// and never goes back: where the rows' own clock steps, or another program sends on, it goes on by the time
-/// that has passed here. It is never ahead of this computer's clock by more than kAhead: rows whose stamps
-/// lie in the future do not run it on. Where rows come faster than real time, whoever reads them has to wait
-/// (tooEarly()); a row that comes too early nevertheless is a step of the rows' clock.
+/// and never goes back: where the rows' own clock steps (back: by two rows in succession), or another program
+/// sends on, it goes on by the time that has passed here. It is never ahead of this computer's clock by more
+/// than kAhead: rows whose stamps lie in the future do not run it on. Where rows come faster than real time,
+/// whoever reads them has to wait (tooEarly()); a row that comes too early nevertheless is a step of the
+/// rows' clock.
 class RowTimes {
  public:
   /// Time of a row [s]; nothing if the row is repeated or older than the one before. `stamp`: its own time
@@ -39,10 +40,13 @@ class RowTimes {
 
  private:
   double aheadBy(double time, double arrival) const;
+  bool goesOn(double stamp) const;
   void follow(double time, double arrival);
 
   bool started_ = false, reconnected_ = false;
   double offset_ = 0.0, stamp_ = 0.0, arrival_ = 0.0, last_step_ = 0.0, time_of_step_ = 0.0;
+  std::optional<double>
+      back_;            ///< stamp of a row that was far behind the one before: late, or the clock has stepped
   double time_ = 0.0;   ///< of the newest row on the session's clock [s]
   double begun_ = 0.0;  ///< arrival of the first row [s]
   double lead_ = 0.0;   ///< of the session's clock on this computer's since the first row, as usual [s]

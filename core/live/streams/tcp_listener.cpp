@@ -53,7 +53,7 @@ ReadState TcpListener::accept() {
   if (!caller.isOpen()) return ReadState::kNothing;
   const bool replaces = client_.isOpen();
   if (replaces && !mustGiveWay()) {
-    send(caller.get(), "error: another program is connected\n");
+    send(caller.get(), fmt::format("error: {}: another program sends its rows here. End it first\n", name_));
     return ReadState::kNothing;
   }
   if (replaces) refuse(fmt::format("no valid row for {} s, and another program has come", kPatience.count()));

@@ -31,6 +31,11 @@ TEST(LiveSetup, TopicsHaveNamesOfRos) {
   EXPECT_EQ(refusedTopic("from: 'ros:/motors'", "ros:/left image"), "cameras.left");
 }
 
+TEST(LiveSetup, OneStreamOrTopicIsNotTwo) {
+  EXPECT_EQ(refusedTopic("from: 'ros:/motors', encoders: /motors"), "motors.encoders");
+  EXPECT_EQ(refusedTopic("from: 'ros:/motors'", "ros:/left", "ros:/left"), "cameras.right");
+}
+
 TEST(LiveSetup, FieldsThatAnAddressDoesNotUseAreNamed) {
   RowsSetup rows;
   rows.read_as = "q_m=deg";
@@ -52,7 +57,13 @@ TEST(LiveSetup, AnAddressWithoutItsKindAndAShortListHaveARemedy) {
   };
   EXPECT_NE(refusedBy("127.0.0.1:5555").find("Write tcp://127.0.0.1:5555"), std::string::npos)
       << refusedBy("127.0.0.1:5555");
+  EXPECT_NE(refusedBy("http://127.0.0.1:8081").find("is no address of rows"), std::string::npos);
+  EXPECT_NE(refusedBy("trial.capstan").find("is a recording"), std::string::npos);
   const std::string file = ::testing::TempDir() + "short.yaml";
+  base::writeTextFile(file, "title: x\nmotors:\n  from: 127.0.0.1:5555\n");
+  EXPECT_NE(refusedBy(file).find("short.yaml:3: motors.from = 127.0.0.1:5555"), std::string::npos)
+      << refusedBy(file);
+  EXPECT_NE(refusedBy(file).find("Write tcp://127.0.0.1:5555"), std::string::npos) << refusedBy(file);
   base::writeTextFile(file, "title: x\nmotors:\n  from: tcp://127.0.0.1:5555\n  signs: [1, 1]\n");
   const std::string said = refusedBy(file);
   EXPECT_NE(said.find("short.yaml:4: motors.signs = 2 values"), std::string::npos) << said;

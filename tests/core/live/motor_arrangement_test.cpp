@@ -51,6 +51,17 @@ void readAsDegrees(recording::MeasuredTable& table) {
   recording::readColumnsAs(table, raven(), recording::parseReadAs("q_m=deg", "read_as"));
 }
 
+/// A motor that counts the other way, of an arm that begins at its hard stop.
+TEST(MotorArrangement, NamesAJointThatLeavesItsLimits) {
+  RowsSetup setup;
+  const MotorArrangement right(setup, raven(), {});
+  EXPECT_EQ(right.beyondLimits(standingAt(kInside)), "");
+  setup.signs = {-1.0, 1.0, 1.0};
+  EXPECT_THAT(
+      MotorArrangement(setup, raven(), {}).beyondLimits(standingAt(kInside)),
+      HasSubstr("by the motors, joint 1 (" + raven().joints[0].name + ") has left its limits 0.0° to 90.0°"));
+}
+
 TEST(MotorArrangement, NamesAWrongOrder) {
   RowsSetup setup;
   setup.motors = {2, 1, 3};

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
+#include "core/base/error.h"
 #include "core/ros1/bag_topics.h"
 #include "core/ros1/master_topics.h"
 
@@ -28,6 +31,29 @@ TEST(TopicHint, NamesTheNearestTopicOfTheSameKind) {
             "/stereo/left/image_raw is of type sensor_msgs/Image, which carries no motors");
   EXPECT_EQ(ros1::hintForTopic("/stereo/left/image", ros1::carriesImages, "images", present, kMaster),
             "nobody publishes /stereo/left/image; the nearest topic with images is /stereo/left/image_raw");
+}
+
+/// An address that ROS itself would end the program for.
+TEST(TopicHint, AnAddressOfAMasterHasHostAndPort) {
+  const char* const before = std::getenv("ROS_MASTER_URI");
+  const std::string kept = before ? before : "";
+  const auto isFine = [](const char* uri) {
+    ::setenv("ROS_MASTER_URI", uri, 1);
+    try {
+      ros1::checkMasterUri();
+    } catch (const base::InputError& error) {
+      EXPECT_EQ(error.fault().key, "ROS_MASTER_URI");
+      EXPECT_EQ(error.fault().value, uri);
+      return false;
+    }
+    return true;
+  };
+  for (const char* uri : {"http://localhost:11311", "http://10.0.0.2:11311/", ""})
+    EXPECT_TRUE(isFine(uri)) << uri;
+  for (const char* uri : {"localhost:11311", "http://localhost", "http://:11311", "http://a:b", "http://a:0",
+                          "http://a:11311x", "http://a:99999"})
+    EXPECT_FALSE(isFine(uri)) << uri;
+  before ? ::setenv("ROS_MASTER_URI", kept.c_str(), 1) : ::unsetenv("ROS_MASTER_URI");
 }
 
 TEST(TopicHint, SaysWhereThereIsNone) {

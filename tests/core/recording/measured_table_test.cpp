@@ -113,9 +113,17 @@ TEST(MeasuredTable, AMisspelledColumnIsNamed) {
     EXPECT_EQ(fault.key, unused) << header;
     EXPECT_NE(fault.remedy.find(std::string("Rename it to ") + meant), std::string::npos) << fault.remedy;
   }
+  const base::InputFault nearest = faultOf("t,latency_time,q_d1,qm1,q_m2,q_m3\n0,1,1,1,1,1\n");
+  EXPECT_EQ(nearest.key, "qm1");
+  EXPECT_NE(nearest.reason.find("; not used: latency_time, q_d1"), std::string::npos) << nearest.reason;
+  EXPECT_EQ(faultOf("stamp,latency_time,q_m1\n0,1,1\n").key, "stamp");
+  EXPECT_NE(faultOf("t,q_m1,q_m2,q_m3,q1,q2,q4\n0,1,1,1,1,1,1\n").remedy.find("the number in q4"),
+            std::string::npos);
+  for (const char* words : {"arm1", "cam2", "p1", "i_m1", "q_d1", "x2", "1"})
+    EXPECT_EQ(faultOf("t,q_m2," + std::string(words) + "\n0,1,1\n").key, "q_m1") << words;
   const base::InputFault other = faultOf("t,q_m1,q_m2,q_m4,current\n0,1,1,1,1\n");
   EXPECT_EQ(other.key, "q_m3");
-  EXPECT_NE(other.reason.find("not used are current"), std::string::npos) << other.reason;
+  EXPECT_NE(other.reason.find("not used: current"), std::string::npos) << other.reason;
   EXPECT_NE(other.remedy.find("correct the number in q_m4"), std::string::npos) << other.remedy;
 }
 

@@ -68,6 +68,26 @@ TEST(GapCounter, LateWakeUpsAreNotMissing) {
   }
 }
 
+/// Losses at random, of which many follow another within a few samples.
+TEST(GapCounter, CountsLossesThatFollowEachOther) {
+  for (const auto& [share, noise] : {std::pair{0.01, 0.0}, {0.1, 0.0}, {0.3, 0.0}, {0.1, 1e-4}}) {
+    std::mt19937 random(2);
+    std::bernoulli_distribution lost(share);
+    std::normal_distribution<double> error(0.0, 1.0);
+    GapCounter gaps;
+    int missing = 0;
+    for (int k = 0; k < 50000; ++k) {
+      if (k > 2000 && k < 49900 && lost(random)) {
+        ++missing;
+        continue;
+      }
+      gaps.add(1e-3 * k + noise * error(random));
+    }
+    const double tolerance = noise > 0.0 ? 0.01 * missing : 0.0;
+    EXPECT_NEAR(static_cast<double>(gaps.missing()), missing, tolerance) << share << " lost";
+  }
+}
+
 /// Samples that came and were lost here are dropped, not missing.
 TEST(GapCounter, SamplesThatAreCreditedAreNotMissing) {
   GapCounter gaps;
@@ -82,6 +102,29 @@ TEST(GapCounter, SamplesThatAreCreditedAreNotMissing) {
     gaps.add(1e-3 * k + (k >= 700 ? 1.0 : 0.0));
   }
   EXPECT_EQ(gaps.missing(), 3U + 2U + 1U);
+}
+
+/// A sender that changes its rate: what was missing before stays, and nothing is missing for the change.
+TEST(GapCounter, AnotherPeriodIsNoGap) {
+  for (const double factor : {0.45, 2.0}) {
+    GapCounter gaps;
+    double t = 0.0;
+    for (int k = 0; k < 10000; ++k) {
+      t += k < 5000 ? 1e-3 : 1e-3 * factor;
+      if (k < 4000 && k > 1000 && k % 50 == 0) continue;  // 59 of them
+      gaps.add(t);
+    }
+    EXPECT_EQ(gaps.missing(), 59U) << factor;
+  }
+}
+
+/// After a silence the rows that waited come with late times.
+TEST(GapCounter, ABurstAfterASilenceTakesNothingBack) {
+  GapCounter gaps;
+  for (int k = 0; k < 4000; ++k)
+    if (k < 1000 || k >= 1100) gaps.add(1e-3 * k);
+  for (int k = 0; k < 500; ++k) gaps.add(4.5 + 2e-5 * k);
+  EXPECT_EQ(gaps.missing(), 100U);
 }
 
 /// Bursts of more rows than a block of the period's estimate: the period stays that of the sender.

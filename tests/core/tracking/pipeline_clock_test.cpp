@@ -3,9 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "core/base/units.h"
 #include "core/simulation/truth.h"
+#include "core/tracking/stray_readings.h"
 #include "tests/core/tracking/pipeline_scene.h"
 
 namespace capstan::tracking {
@@ -115,6 +118,33 @@ TEST(PipelineClock, ARepeatedOrStrayOldStampIsRefusedAndNothingElse) {
   }
   EXPECT_EQ(pipeline.snapshot().motor_refused, strays);
   EXPECT_EQ(pipeline.snapshot().q_link_ukf, plain.snapshot().q_link_ukf);
+}
+
+/// A damaged number between good ones moves nothing; an encoder that stays where it jumped to is believed.
+TEST(PipelineClock, AReadingThatNoArmCanHaveIsNotUsed) {
+  SimulatedSource source(simulated(simulation::matchedTruth(), 4.0, false));
+  const std::vector<Sample> samples = samplesOf(source);
+  const auto jumpingAt = [&](double from, double to) {
+    std::vector<Sample> changed = samples;
+    for (Sample& sample : changed)
+      if (auto* motor = std::get_if<MotorSample>(&sample); motor && motor->t >= from && motor->t < to)
+        motor->position[0] += 9000.0;
+    return changed;
+  };
+  const auto track = [&](std::vector<Sample> all) {
+    TrackingPipeline pipeline = makePipeline(source.info());
+    ListSource list(std::move(all));
+    double worst = 0.0;
+    trackAll(list, pipeline, nullptr, 0.0, [&](const Sample&, const Snapshot& s) {
+      if (s.t > 1.0) worst = std::max(worst, jointError(s));
+    });
+    return std::pair(worst, pipeline.snapshot().motor_stray);
+  };
+  const double undisturbed = track(samples).first;
+  const auto [one, stray] = track(jumpingAt(1.9995, 2.0005));
+  EXPECT_EQ(stray, 1U);
+  EXPECT_NEAR(one, undisturbed, 1e-4);
+  EXPECT_EQ(track(jumpingAt(2.0, 9.0)).second, static_cast<std::uint64_t>(StrayReadings::kToBelieve - 1));
 }
 
 TEST(TrackReport, BegunInTheMiddleItCountsWhatFollows) {

@@ -58,7 +58,19 @@ TEST_F(SideWatchTest, SaysWhyACameraIsSilent) {
   EXPECT_EQ(observe(State::kSilent, 0.6), Sentences{}) << "once";
 }
 
-/// Remarks on what a program sends: again for the next program, and at the begin of a recording.
+/// What is wrong with rows that are used: said while it lasts, and in the status line.
+TEST_F(SideWatchTest, SaysWarnings) {
+  observe(State::kReceiving);
+  side_.warning = "joint 1 has left its limits";
+  EXPECT_EQ(observe(State::kReceiving), Sentences{"motors: joint 1 has left its limits"});
+  EXPECT_EQ(observe(State::kReceiving), Sentences{});
+  EXPECT_EQ(shortTextOf(side_), "motors: joint 1 has left its limits");
+  EXPECT_TRUE(needsAttention(side_));
+  side_.warning.clear();
+  EXPECT_EQ(observe(State::kReceiving), Sentences{});
+}
+
+/// Remarks on what a program sends: once, and again at the begin of a recording.
 TEST_F(SideWatchTest, SaysRemarks) {
   side_.notices = {"columns not used: Q1"};
   EXPECT_EQ(observe(State::kReceiving), (Sentences{"motors receiving", "motors: columns not used: Q1"}));

@@ -195,7 +195,10 @@ void StatusLine::showSnapshot(const tracking::Snapshot& snapshot) {
   QString troubles = QStringLiteral("rescues %1").arg(static_cast<qulonglong>(snapshot.rescues));
   if (snapshot.motor_refused > 0)
     troubles += tr(", %1 motor samples refused").arg(static_cast<qulonglong>(snapshot.motor_refused));
-  set(kRescues, troubles, snapshot.rescues + snapshot.motor_refused > 0 ? Tone::kWarning : Tone::kPlain);
+  if (snapshot.motor_stray > 0)
+    troubles += tr(", %1 stray motor positions").arg(static_cast<qulonglong>(snapshot.motor_stray));
+  set(kRescues, troubles,
+      snapshot.rescues + snapshot.motor_refused + snapshot.motor_stray > 0 ? Tone::kWarning : Tone::kPlain);
 }
 
 void StatusLine::showNis(const tracking::Snapshot& snapshot) {
