@@ -88,7 +88,7 @@ base::InputFault faultOf(RowParser& parser, const std::string& bytes) {
 TEST(RowParser, RefusesAWrongLineAtOnce) {
   const robot::Description robot = robot::readDescriptionOrDefault({});
   RowParser parser("rows", robot, {});
-  EXPECT_EQ(faultOf(parser, "GET / HTTP/1.1\r\n").key, "t");
+  EXPECT_EQ(faultOf(parser, "GET / HTTP/1.1\r\n").reason, "is not separated by commas");
   parser.restart();
   EXPECT_EQ(faultOf(parser, "t,q1,q2,q3\n").key, "q_m1") << "no motors";
   parser.restart();
