@@ -95,7 +95,22 @@ std::string misspelledAs(std::string_view meant, const std::vector<std::string>&
 }
 
 std::string unusedText(const std::vector<std::string>& columns) {
-  return columns.empty() ? "" : fmt::format("; not used: {}", fmt::join(columns, ", "));
+  constexpr std::size_t kMost = 8;  // names in a message
+  if (columns.empty()) return {};
+  const std::vector<std::string> first(
+      columns.begin(), columns.begin() + static_cast<std::ptrdiff_t>(std::min(columns.size(), kMost)));
+  const std::string more =
+      columns.size() > kMost ? fmt::format(" and {} more", columns.size() - kMost) : std::string();
+  return fmt::format("; not used: {}{}", fmt::join(first, ", "), more);
+}
+
+/// A name of a column that fits a message: a stranger's may have a megabyte.
+std::string shownName(std::string_view name) {
+  constexpr std::size_t kLongest = 40;
+  if (name.size() <= kLongest) return std::string(name);
+  std::size_t length = kLongest;
+  while (length > 0 && (static_cast<unsigned char>(name[length]) & 0xc0U) == 0x80U) --length;  // whole UTF-8
+  return std::string(name.substr(0, length)) + "…";
 }
 
 /// Columns by (quantity, index) while they are being found, in any order.
@@ -113,7 +128,7 @@ class ColumnCollector {
     std::size_t index = 0;
     const Quantity* quantity = quantityOf(name, index);
     if (!quantity) {
-      table_.ignored.emplace_back(name);
+      table_.ignored.push_back(shownName(name));
       return nullptr;
     }
     const std::size_t most = quantity->by_joint ? kMaxJoints : 3;

@@ -72,8 +72,13 @@ std::vector<std::string> noticesOf(const MeasuredTable& table) {
   std::vector<std::string> notices;
   for (const std::string& line : unitNotices(table)) notices.push_back(table.file + ": " + line);
   if (table.ignored.empty()) return notices;
+  constexpr std::size_t kMost = 20;  // names in a notice
   std::vector<std::string> unused;
   for (const std::string& name : table.ignored) {
+    if (unused.size() == kMost) {
+      unused.push_back(fmt::format("and {} more", table.ignored.size() - kMost));
+      break;
+    }
     const std::string meant = columnMeantBy(table, name);
     unused.push_back(meant.empty() ? name : fmt::format("{} (rename it, if it is {})", name, meant));
   }

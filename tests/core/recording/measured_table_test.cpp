@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -125,6 +126,18 @@ TEST(MeasuredTable, AMisspelledColumnIsNamed) {
   EXPECT_EQ(other.key, "q_m3");
   EXPECT_NE(other.reason.find("not used: current"), std::string::npos) << other.reason;
   EXPECT_NE(other.remedy.find("correct the number in q_m4"), std::string::npos) << other.remedy;
+}
+
+/// Columns of a stranger's table, or of one with hundreds of them, leave the message readable.
+TEST(MeasuredTable, ManyAndLongColumnsAreNamedInShort) {
+  std::string header = "t,q_m1,q_m3," + std::string(100000, 'x');
+  for (int k = 0; k < 300; ++k) header += ",column" + std::to_string(k);
+  std::string row = "0";
+  for (auto commas = std::count(header.begin(), header.end(), ','); commas > 0; --commas) row += ",0";
+  const base::InputFault fault = faultOf(header + "\n" + row + "\n");
+  EXPECT_EQ(fault.key, "q_m2");
+  EXPECT_LT(fault.reason.size(), 300U) << fault.reason;
+  EXPECT_NE(fault.reason.find("and 293 more"), std::string::npos) << fault.reason;
 }
 
 TEST(TableSource, MisspelledColumnsAreNoticed) {
