@@ -8,7 +8,7 @@
 #include <thread>
 #include <tuple>
 
-#include "core/base/error.h"
+#include "core/ros1/master_topics.h"
 #include "core/ros1/stamp.h"
 #include "core/tracking/arrival.h"
 
@@ -27,13 +27,7 @@ std::int64_t stampOf(const PlayClock& clock, double t) {
 }  // namespace
 
 RosPlayer::RosPlayer(const tracking::SourceInfo& info) : messages_(info) {
-  if (!ros1::isMasterThere())
-    throw base::InputError({ros1::masterAddress(),
-                            0,
-                            {},
-                            {},
-                            "is the address of no ROS master that answers",
-                            "Start one with roscore, or set ROS_MASTER_URI"});
+  if (!ros1::isMasterThere()) ros1::refuseWithoutMaster();
   // What a program needs before the first sample is latched: it can come late.
   std::vector<ros1::OutMessage> facts = messages_.calibration(ros1::rosTimeNow());
   facts.push_back(messages_.session(0));

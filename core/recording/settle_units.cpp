@@ -39,8 +39,7 @@ std::string remedyFor(const MeasuredTable& table, const std::vector<UnitFinding>
                         proposed);
   return fmt::format(
       "\n{}If the values are right as they are, read it with --read-as {}. A table of another robot needs "
-      "its "
-      "robot file",
+      "its robot file",
       convert, keep);
 }
 

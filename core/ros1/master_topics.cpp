@@ -58,6 +58,15 @@ void checkMasterUri() {
       {{}, 0, "ROS_MASTER_URI", uri, "is no address of a ROS master", "Set it as in http://localhost:11311"});
 }
 
+void refuseWithoutMaster() {
+  throw base::InputError({masterUri(),
+                          0,
+                          {},
+                          {},
+                          "is the address of no ROS master that answers",
+                          "Start one with roscore, or set ROS_MASTER_URI"});
+}
+
 std::optional<std::vector<TopicType>> topicsOfAnswer(const std::string& xml) {
   const std::vector<std::string> leaves = leavesOf(xml);
   if (xml.find("<methodResponse>") == std::string::npos || leaves.size() < 2 || leaves[0] != "1" ||

@@ -13,6 +13,8 @@ namespace capstan::ros1 {
 std::string masterUri();
 /// Throws base::InputError where masterUri() is not http://HOST:PORT: ROS would end this program.
 void checkMasterUri();
+/// Throws base::InputError that no master answers at masterUri().
+[[noreturn]] void refuseWithoutMaster();
 
 /// Topics that somebody publishes at the master `uri` ("http://HOST:PORT"), in order of their names; nothing
 /// if no master answers there within `patience` for the connection and as much for the answer. The master's

@@ -32,13 +32,7 @@ vision::StereoRig receiveRig(const std::string& left_image, const std::string& r
   const auto topicOf = [](const std::string& image) {
     return image.substr(0, image.rfind('/')) + "/camera_info";
   };
-  if (!topicsAtMaster(masterUri(), kAnswer))  // else each image would be waited for
-    throw base::InputError({masterUri(),
-                            0,
-                            {},
-                            {},
-                            "is the address of no ROS master that answers",
-                            "Start one with roscore, or set ROS_MASTER_URI"});
+  if (!topicsAtMaster(masterUri(), kAnswer)) refuseWithoutMaster();  // else each image would be waited for
   const std::array topics = {topicOf(left_image), topicOf(right_image)};
   std::array<std::string, 2> texts;
   for (std::size_t side = 0; side < 2; ++side) {

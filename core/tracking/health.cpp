@@ -253,8 +253,8 @@ void addLost(const TrackReport& report, const HealthLimits& limits, Checks& chec
       fmt::format("{}", lost),
       "none",
       "Samples were missing, dropped, not later than the one before, or stray: with motor positions that no "
-      "arm "
-      "can have reached since then. Check the connection, the device's clock and the load of this computer."};
+      "arm can have reached since then. Check the connection, the device's clock and the load of this "
+      "computer."};
   if (report.motor_refused > 0) check.value += fmt::format(" ({} refused)", report.motor_refused);
   if (report.motor_stray > 0) check.value += fmt::format(" ({} stray)", report.motor_stray);
   add(checks, std::move(check));
