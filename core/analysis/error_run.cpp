@@ -155,7 +155,8 @@ bool sameMotion(const ErrorRun& a, const ErrorRun& b) {
 }
 
 ErrorCollector::ErrorCollector(std::size_t capacity)
-    : errors_(capacity, std::min(capacity, kCapacity)), camera_(capacity, std::min(capacity, kCapacity)) {}
+    : errors_(capacity, std::min(capacity, kCapacity)),
+      camera_(capacity / kRowsPerPair, std::min(capacity, kCapacity) / kRowsPerPair) {}
 
 void ErrorCollector::take(const tracking::Snapshot& s) {
   if (s.camera_updated && s.gate == tracking::Gate::kOpen) takeCamera(s);

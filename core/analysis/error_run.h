@@ -59,11 +59,13 @@ bool sameMotion(const ErrorRun& a, const ErrorRun& b);
 /// Collects the errors of a running pipeline: of kinematic and UKF estimates where a reference coincides with
 /// a motor sample, and of the camera where the filter accepted it. ErrorPoint::occluded is
 /// true if a marker was hidden in the newest camera sample, or if camera samples are missing. Another thread
-/// may read it. The memory is fixed (kCapacity points): when it is full, every second point is dropped; the
-/// moments remain those of all samples.
+/// may read it. The memory is fixed (kCapacity points) and taken at once: when it is full, every second point
+/// is dropped; the moments remain those of all samples.
 class ErrorCollector {
  public:
   static constexpr std::size_t kCapacity = std::size_t{1} << 19;  ///< points of nine minutes at 1 kHz
+  /// Rows per image pair, at least: there is room for kCapacity / kRowsPerPair camera points.
+  static constexpr std::size_t kRowsPerPair = 8;
 
   explicit ErrorCollector(std::size_t capacity = kCapacity);
 

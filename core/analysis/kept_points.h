@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/base/room.h"
+
 namespace capstan::analysis {
 
 /// Points of a stream in fixed memory. When `capacity` points are stored, every second one is dropped and the
@@ -11,8 +13,9 @@ namespace capstan::analysis {
 template <class Point>
 class KeptPoints {
  public:
-  /// Allocates memory for `reserved` points, so that add() does not allocate up to this number.
-  KeptPoints(std::size_t capacity, std::size_t reserved) : capacity_(capacity) { points_.reserve(reserved); }
+  /// Takes memory for `reserved` points, so that add() takes none up to this number.
+  KeptPoints(std::size_t capacity, std::size_t reserved)
+      : capacity_(capacity), points_(base::roomFor<Point>(reserved)) {}
 
   void add(const Point& point) {
     if (offered_++ % stride_ != 0) return;

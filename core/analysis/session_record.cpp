@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "core/base/yaml.h"
 #include "core/estimation/consistency.h"
 #include "core/estimation/nis_verdict.h"
@@ -87,8 +89,9 @@ base::Table reportTable(const SessionRecord& record) {
 
 base::Table eventTable(const SessionRecord& record) {
   base::Table table{record.run.title + ": events", {{"t", "s", 3}, {"kind", {}}, {"text", {}}}, {}, {}};
-  for (const recording::SessionEvent& event : record.events)
-    table.rows.push_back({event.t, event.kind, event.text});
+  std::vector<recording::SessionEvent> events = record.events;  // notes come later than their time
+  std::ranges::stable_sort(events, {}, &recording::SessionEvent::t);
+  for (const recording::SessionEvent& event : events) table.rows.push_back({event.t, event.kind, event.text});
   return table;
 }
 

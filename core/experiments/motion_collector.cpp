@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/room.h"
+
 namespace capstan::experiments {
 
 double roundedTime(double t) { return std::round(t * 1e6) / 1e6; }
@@ -52,9 +54,9 @@ void MotionCollector::takePoint(const tracking::Snapshot& s) {
 }
 
 SessionMotion::SessionMotion(std::size_t capacity, bool reference)
-    : capacity_(capacity), reference_(reference) {
-  points_.reserve(std::min(capacity_, kCapacity));
-}
+    : capacity_(capacity),
+      reference_(reference),
+      points_(base::roomFor<TrajectoryPoint>(std::min(capacity, kCapacity))) {}
 
 void SessionMotion::take(const tracking::Snapshot& s) {
   const std::lock_guard lock(mutex_);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -108,6 +109,8 @@ struct RobotChange {
   double nominal = 0.0, identified = 0.0;
   double percent = 0.0;  ///< change relative to nominal [%]; NaN where nominal is zero
 
+  /// The parameter that changes, with its nominal value; nothing where it is none.
+  std::optional<Parameter> parameter() const;
   /// Name of the parameter, Parameter::name(): r_l1 for drives[0].link_radius. Empty: it is none.
   std::string name() const;
 };

@@ -35,7 +35,7 @@ void gather(const T& value, const std::string& key, Numbers& numbers) {
 
 }  // namespace
 
-std::string RobotChange::name() const {
+std::optional<Parameter> RobotChange::parameter() const {
   constexpr std::array<std::pair<const char*, Quantity>, kQuantities> kKeys = {
       {{"drives[{}].link_radius", Quantity::kLinkRadius},
        {"drives[{}].cable_stiffness", Quantity::kStiffness},
@@ -43,8 +43,13 @@ std::string RobotChange::name() const {
        {"joints[{}].friction.coulomb", Quantity::kFriction}}};
   for (int joint = 0; joint < 3; ++joint)
     for (const auto& [pattern, quantity] : kKeys)
-      if (key == fmt::format(fmt::runtime(pattern), joint)) return Parameter{quantity, joint}.name();
-  return {};
+      if (key == fmt::format(fmt::runtime(pattern), joint)) return Parameter{quantity, joint, nominal};
+  return std::nullopt;
+}
+
+std::string RobotChange::name() const {
+  const auto changed = parameter();
+  return changed ? changed->name() : std::string();
 }
 
 std::vector<RobotChange> differences(const robot::Description& nominal,

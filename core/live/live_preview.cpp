@@ -37,7 +37,7 @@ void LivePreview::work() {
   notingFaults([&] {
     LiveSetup without = setup_;
     without.cameras.reset(), without.commands.reset();
-    auto motors = std::make_unique<LiveSource>(without);
+    std::unique_ptr<LiveSource> motors = LiveSource::forPreview(without);
     const std::lock_guard lock(mutex_);
     motors_ = std::move(motors);
     const robot::Description& robot = motors_->info().robot;

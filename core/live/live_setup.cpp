@@ -59,7 +59,8 @@ void checkRos(const LiveSetup& setup, const std::string& file) {
   const CamerasSetup* cameras = setup.cameras ? &*setup.cameras : nullptr;
   if (cameras && cameras->calibration.empty())
     refuse(file, "cameras.calibration", "", "is missing",
-           "Give the folder or the file of a calibration: " + vision::rigFileKinds());
+           "Give the folder or the file of a calibration: " + vision::rigFileKinds() +
+               "; for ROS topics that have a camera_info also ros");
   if (cameras && cameras->calibration == kRosCalibration &&
       !(isRosTopic(cameras->left) && isRosTopic(cameras->right)))
     refuse(file, "cameras.calibration", cameras->calibration, "needs images from two ROS topics",
@@ -83,20 +84,28 @@ void checkCommands(const CommandsSetup& commands, const std::string& file) {
       refuse(file, "commands.signs", base::yamlText(sign), "is no sign", "Give 1 or -1");
 }
 
-void check(const LiveSetup& setup, const std::string& file) {
-  std::array<int, 3> sorted = setup.motors.motors;
+void checkMotors(const RowsSetup& rows, const std::string& file) {
+  std::array<int, 3> sorted = rows.motors;
   std::ranges::sort(sorted);
   if (sorted != std::array{1, 2, 3})
     refuse(file, "motors.motors",
-           std::to_string(setup.motors.motors[0]) + ", " + std::to_string(setup.motors.motors[1]) + ", " +
-               std::to_string(setup.motors.motors[2]),
+           std::to_string(rows.motors[0]) + ", " + std::to_string(rows.motors[1]) + ", " +
+               std::to_string(rows.motors[2]),
            "names a motor twice", "Give each of 1, 2 and 3 once");
-  for (const double sign : setup.motors.signs)
+  for (const double sign : rows.signs)
     if (std::abs(sign) != 1.0)
       refuse(file, "motors.signs", base::yamlText(sign), "is no sign", "Give 1 or -1");
-  parseAddress(setup.motors.from, "motors.from");
+  parseAddress(rows.from, "motors.from");
+  recording::parseReadAs(rows.read_as, "motors.read_as");
+}
+
+void check(const LiveSetup& setup, const std::string& file) {
+  checkMotors(setup.motors, file);
   checkRos(setup, file);
   if (setup.commands) checkCommands(*setup.commands, file);
+  if (setup.cameras && setup.cameras->left.empty())
+    refuse(file, "cameras.left", setup.cameras->left, "names no camera",
+           "Give a device, a file, an address or ros:/TOPIC");
   if (setup.cameras && (setup.cameras->layout == CameraLayout::kTwo) == setup.cameras->right.empty())
     refuse(file, "cameras.right", setup.cameras->right, "does not fit the layout",
            "Give two streams for the layout two, one (as left) for side_by_side and top_bottom");
@@ -104,7 +113,6 @@ void check(const LiveSetup& setup, const std::string& file) {
     refuse(
         file, "cameras.right", setup.cameras->right, "is the left camera, too",
         "Give the other camera, or, where one stream has both images, the layout side_by_side or top_bottom");
-  recording::parseReadAs(setup.motors.read_as, "motors.read_as");
 }
 
 /// Whether `text` is HOST:PORT, an address without tcp://.
@@ -216,6 +224,10 @@ LiveSetup resolvedFrom(LiveSetup setup, const std::filesystem::path& folder) {
     if (std::filesystem::is_regular_file(folder / *stream)) beside(*stream);
   return setup;
 }
+
+void checkMotors(const RowsSetup& motors) { checkMotors(motors, {}); }
+
+void checkLiveSetup(const LiveSetup& setup) { check(setup, {}); }
 
 void writeLiveSetup(const LiveSetup& setup, const std::filesystem::path& path) {
   check(setup, {});

@@ -163,6 +163,9 @@ LiveSetup resolvedFrom(LiveSetup setup, const std::filesystem::path& folder);
 /// Reads a live set-up; relative paths in it become paths from its folder (resolvedFrom()). Throws
 /// base::InputError with file, line, field, value and range.
 LiveSetup readLiveSetup(const std::filesystem::path& path);
+/// Throws base::InputError for motors or for a set-up that readLiveSetup() would refuse.
+void checkMotors(const RowsSetup& motors);
+void checkLiveSetup(const LiveSetup& setup);
 /// Writes a set-up with every field, its unit and its meaning. Throws base::InputError for a set-up that
 /// readLiveSetup() would refuse, and where the file cannot be written.
 void writeLiveSetup(const LiveSetup& setup, const std::filesystem::path& path);

@@ -29,12 +29,24 @@ std::unique_ptr<RowInput> textRows(const Address& address, const std::string& re
   return std::make_unique<TextRows>(std::move(stream), std::move(parser));
 }
 
+bool isPiped(const LiveSetup& setup) {
+  return parseAddress(setup.motors.from, "motors.from").kind == Address::Kind::kStandardInput;
+}
+
 }  // namespace
 
-LiveSource::LiveSource(const LiveSetup& setup, double duration) : queue_(kCapacity), duration_(duration) {
+LiveSource::LiveSource(const LiveSetup& setup, double duration)
+    : LiveSource(setup, duration, isPiped(setup) ? RowSide::Faults::kEnd : RowSide::Faults::kDisconnect) {}
+
+std::unique_ptr<LiveSource> LiveSource::forPreview(const LiveSetup& setup) {
+  return std::unique_ptr<LiveSource>(new LiveSource(setup, 0.0, RowSide::Faults::kShow));
+}
+
+LiveSource::LiveSource(const LiveSetup& setup, double duration, RowSide::Faults faults)
+    : queue_(kCapacity), duration_(duration) {
   if (setup.cameras) readCameras(*setup.cameras);
   const Address address = parseAddress(setup.motors.from, "motors.from");
-  const bool piped = address.kind == Address::Kind::kStandardInput;
+  const bool piped = faults == RowSide::Faults::kEnd;
   info_.title = setup.title;
   info_.robot = robot::readDescriptionOrDefault(setup.robot);
   info_.reference = setup.motors.reference;
@@ -57,7 +69,7 @@ LiveSource::LiveSource(const LiveSetup& setup, double duration) : queue_(kCapaci
       setup.motors, info_.robot,
       text ? recording::parseReadAs(setup.motors.read_as, "motors.read_as") : recording::ReadAs{});
   rows_ = std::make_unique<RowSide>(std::move(input), info_.robot, *arrangement_, setup.motors.reference,
-                                    piped ? RowSide::Faults::kEnd : RowSide::Faults::kDisconnect, queue_);
+                                    faults, queue_);
   if (setup.cameras)
     cameras_ = std::make_unique<CameraSide>(
         *setup.cameras,

@@ -24,6 +24,8 @@ class LiveSource final : public tracking::Source, public Commandable {
   /// it, and another one may connect. Throws base::InputError for an address that cannot be opened, and for
   /// the first rows of standard input.
   explicit LiveSource(const LiveSetup& setup, double duration = 0.0);
+  /// For a look at what comes: motors that put a joint outside its limits are shown, with a warning.
+  static std::unique_ptr<LiveSource> forPreview(const LiveSetup& setup);
   ~LiveSource() override;
 
   const tracking::SourceInfo& info() const override { return info_; }
@@ -37,6 +39,7 @@ class LiveSource final : public tracking::Source, public Commandable {
   std::shared_ptr<RobotCommands> commands() const override { return commander_; }
 
  private:
+  LiveSource(const LiveSetup& setup, double duration, RowSide::Faults faults);
   void readCameras(const CamerasSetup& setup);
   void noteTracked();
   bool timeIsUp() const;

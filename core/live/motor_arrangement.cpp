@@ -17,8 +17,8 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr const char* kRemedy =
-    "Check motors (which motor drives which joint), signs and read_as (units) of the live set-up, or the "
-    "robot file";
+    "Check motors (which motor drives which joint), signs (-1 where a motor counts the other way) and "
+    "read_as (units) of the live set-up, or the robot file";
 
 /// Median of the finite values; NaN without any.
 double medianOf(std::vector<double> values) {

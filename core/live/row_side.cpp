@@ -133,7 +133,7 @@ void RowSide::noteHint() {
 }
 
 void RowSide::begin(bool replaced) {
-  motors_judged_ = noticed_ = false;
+  motors_judged_ = noticed_ = false, beyond_ = 0;
   times_.reconnect();
   const std::lock_guard lock(mutex_);
   status_.warning.clear();
@@ -163,13 +163,15 @@ void RowSide::watchLimits(const recording::MeasuredTable& table) {
   if (!motors_judged_ || table.t.empty() || now() < limits_due_) return;
   limits_due_ = now() + 0.2;
   const std::string beyond = arrangement_.beyondLimits(table);
+  beyond_ = beyond.empty() ? 0 : beyond_ + 1;
+  constexpr int kToSay = 3;  // times in succession: a single row may be damaged
   const std::lock_guard lock(mutex_);
-  status_.warning = beyond;
+  status_.warning = beyond_ < kToSay ? std::string() : beyond;
 }
 
 void RowSide::pass(recording::MeasuredTable table) {
   recording::checkForTracking(table, robot_);
-  if (!motors_judged_) motors_judged_ = arrangement_.check(table);
+  if (!motors_judged_) motors_judged_ = faults_ == Faults::kShow || arrangement_.check(table);
   if (!std::exchange(noticed_, true)) notice(table);
   watchLimits(table);
   input_->confirm();
@@ -218,7 +220,7 @@ void RowSide::deliver(recording::MeasuredTable table, double arrival) {
     status_.repeated = times_.repeated();
     if (status_.received > 0 && arrival - last_arrival_ > tracking::SideStatus::kSilence &&
         status_.repeated > repeated_before_)
-      status_.reason = "rows come, yet their times t do not rise: check the clock of the sender";
+      status_.reason = "the times t of the rows do not rise: check the clock of the sender";
     return;
   }
   std::uint64_t dropped = 0;

@@ -34,6 +34,7 @@ class RowSide {
   enum class Faults {
     kEnd,         ///< a fault ends the stream, like that of a file: rethrow() reports it
     kDisconnect,  ///< a fault disconnects the program that made it; another one may connect
+    kShow,        ///< the same, but positions outside the joints' limits are no fault: they are warned of
   };
   /// `arrangement` judges the first rows of every program; the samples stay as they came.
   /// `reference`: columns q are joint encoders; else they are not used.
@@ -87,6 +88,7 @@ class RowSide {
   bool first_known_ = false, ended_ = false;
   bool motors_judged_ = false, noticed_ = false;  ///< those of the program that is connected
   double limits_due_ = 0.0;                       ///< next time of watchLimits() [s]
+  int beyond_ = 0;  ///< times in succession that it found a joint beyond its limits
   std::atomic<bool> quit_{false};
   std::atomic<bool> held_up_{false};  ///< waits for room in the queue: the sender is not silent
 

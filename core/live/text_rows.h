@@ -40,7 +40,8 @@ class TextRows final : public RowInput {
   /// Nobody has connected: the program may send to another address.
   std::optional<std::string> hint() override {
     const std::chrono::duration<double> waited = std::chrono::steady_clock::now() - since_;
-    if (connected_ || stream_->isFile() || waited < patience_) return {};
+    if (connected_) return std::string();
+    if (stream_->isFile() || waited < patience_) return {};
     return fmt::format("no program has connected to {} yet: start it, and check the address that it uses",
                        stream_->name());
   }

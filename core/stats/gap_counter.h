@@ -33,13 +33,12 @@ class GapCounter {
   void add(double t) {
     const double interval = t - last_;
     last_ = t;
-    if (count_++ == 0 || interval <= 0.0) return;
+    if (count_++ == 0 || interval == 0.0) return;
+    if (interval < 0.0) return endRun();  // another clock
     span_ += std::min(interval, kSilence);
     if (interval > kSilence) {
       ++silences_, last_silence_ = interval;
-      if (window_ > 0) note(std::round((due(kLast) - due(kWindow)) / period_));
-      credit_ = window_ = open_ = 0;
-      return;
+      return endRun();
     }
     if (period_ > 0.0)
       judge(t);
@@ -63,6 +62,12 @@ class GapCounter {
     for (std::size_t back = 1; back < std::min(window_, samples); ++back)
       due = std::min(due, times_[(window_ - 1 - back) % kWindow] + static_cast<double>(back) * period_);
     return due;
+  }
+
+  /// What follows belongs to other times: gaps that the newest samples still hide are counted.
+  void endRun() {
+    if (window_ > 0) note(std::round((due(kLast) - due(kWindow)) / period_));
+    credit_ = window_ = open_ = 0;
   }
 
   void judge(double t) {

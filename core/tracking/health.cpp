@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 #include <utility>
 
 #include "core/tracking/transmission_text.h"
@@ -13,6 +14,8 @@ namespace capstan::tracking {
 namespace {
 
 using Checks = std::vector<HealthCheck>;
+
+constexpr std::string_view kNisKey = "nis_q";  ///< of a joint's check, before the joint's number
 
 /// Verdict on a number that is good while it is small; kUnknown for NaN.
 HealthVerdict judge(double value, double pass, double fail) {
@@ -31,18 +34,35 @@ double share(std::uint64_t part, std::uint64_t whole) {
   return static_cast<double>(part) / static_cast<double>(whole);
 }
 
+/// Mean NIS per joint of the newest camera updates, `updates` or somewhat more; NaN without any.
+Eigen::Vector3d recentNis(const InnovationRecord& record, std::uint64_t updates) {
+  InnovationRecord::Window sum;
+  for (std::size_t k = record.windows().size(); k-- > 0 && sum.count < updates;) {
+    sum.count += record.windows()[k].count;
+    sum.squares += record.windows()[k].squares;
+  }
+  return sum.nis();
+}
+
 void addNis(const TrackReport& report, const robot::Description& robot, const HealthLimits& limits,
             Checks& checks) {
   const Eigen::Vector3d nis = report.innovations.nis();
-  const bool judged = report.innovations.count() >= limits.updates;
+  const Eigen::Vector3d recent = recentNis(report.innovations, limits.recent_updates);
+  const std::uint64_t count = report.innovations.count();
+  const bool judged = count >= limits.updates;
   for (int joint = 0; joint < 3; ++joint) {
-    const double mean = nis(joint);
+    // Cameras that are moved after an hour show in the newest updates long before they show in the mean.
+    const bool failing = judged && nis(joint) <= limits.nis_fail && recent(joint) > limits.nis_fail;
+    const double mean = failing ? recent(joint) : nis(joint);
     const std::string name = robot.joints[static_cast<std::size_t>(joint)].name;
-    HealthCheck check{fmt::format("nis_q{}", joint + 1), fmt::format("NIS of {}", name)};
+    HealthCheck check{fmt::format("{}{}", kNisKey, joint + 1), fmt::format("NIS of {}", name)};
     if (judged) check.verdict = judge(mean, limits.nis, limits.nis_fail);
     if (check.verdict == HealthVerdict::kPass && mean < limits.nis_low)
       check.verdict = HealthVerdict::kCautious;
-    if (report.innovations.count() > 0) check.value = fmt::format("{:.2f}", mean);
+    if (count > 0) check.value = fmt::format("{:.2f}", mean);
+    if (count > 0 && !judged)
+      check.value += fmt::format("; {} of the {} camera updates needed", count, limits.updates);
+    if (failing) check.value += fmt::format(" in the newest camera updates; {:.2f} in all", nis(joint));
     check.expected = fmt::format("{:.2g} to {:.2g}; 1 where σ is right", limits.nis_low, limits.nis);
     check.advice =
         mean > 1.0
@@ -297,6 +317,13 @@ std::vector<HealthCheck> healthOf(const TrackReport& report, const robot::Descri
   addLost(report, limits, checks);
   addRefusals(report, checks);
   return checks;
+}
+
+std::vector<HealthCheck> nisChecksOf(const std::vector<HealthCheck>& checks) {
+  std::vector<HealthCheck> found;
+  for (const HealthCheck& check : checks)
+    if (check.key.starts_with(kNisKey)) found.push_back(check);
+  return found;
 }
 
 HealthVerdict worstOf(const std::vector<HealthCheck>& checks) {

@@ -26,8 +26,9 @@ struct HealthLimits {
   double latency = 0.5, latency_fail = 1.0;        ///< 99 % latency over the filter's memory
   double rescues = 0.0, rescues_fail = 1e-3;       ///< repaired covariances per sample
   double lost = 0.0, lost_fail = 1e-3;             ///< lost, dropped and refused samples per sample
-  double no_images = 2.0;       ///< a session without a used image is judged from this length on [s]
-  std::uint64_t updates = 300;  ///< camera updates before NIS is judged: 20 s at 15 per second
+  double no_images = 2.0;              ///< a session without a used image is judged from this length on [s]
+  std::uint64_t updates = 300;         ///< camera updates before NIS is judged: 20 s at 15 per second
+  std::uint64_t recent_updates = 150;  ///< newest ones, whose NIS above nis_fail fails as that of all does
 };
 
 /// One judged quantity.
@@ -35,7 +36,7 @@ struct HealthCheck {
   std::string key = {};   ///< name for programs: nis_q1 … lost
   std::string name = {};  ///< name for people
   HealthVerdict verdict = HealthVerdict::kUnknown;
-  std::string value = {};     ///< measured value with unit; empty: none yet
+  std::string value = {};     ///< measured value with unit, and why it is not judged; empty: none yet
   std::string expected = {};  ///< what passes
   std::string advice = {};    ///< meaning and remedy, in sentences; empty where it passes
 };
@@ -51,6 +52,9 @@ void noteSource(const SourceInfo& info, const std::vector<SideStatus>& sides, Tr
 /// Checks of images and of the reference are left out where there are none.
 std::vector<HealthCheck> healthOf(const TrackReport& report, const robot::Description& robot, double memory,
                                   const HealthLimits& limits = {});
+
+/// The checks of NIS, one per joint.
+std::vector<HealthCheck> nisChecksOf(const std::vector<HealthCheck>& checks);
 
 /// The worst verdict of the checks; kUnknown only if nothing was judged.
 HealthVerdict worstOf(const std::vector<HealthCheck>& checks);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <utility>
 
 namespace capstan::tracking {
@@ -54,8 +55,9 @@ std::string whyNotUsed(const EncoderStatus& encoders) {
 
 /// The first seconds say nothing about a drift: a clock of a computer is within 1000 ppm.
 std::string driftText(const SideClock& clock) {
-  constexpr double kKnown = 1e-3;
+  constexpr double kKnown = 1e-3, kMost = 1.99e-4;  // two quartz clocks, each within 100 ppm
   if (clock.drift_sigma > kKnown) return "drift not known yet";
+  if (std::abs(clock.drift) > kMost) return "drift not known: samples come at another pace than their times";
   return fmt::format("drift {:.2f} ± {:.2f} ppm", 1e6 * clock.drift, 1e6 * clock.drift_sigma);
 }
 
@@ -143,7 +145,7 @@ std::string textOf(const SideStatus& side) {
   if (side.refused > 0) text += fmt::format("; {} refused", side.refused);
   if (!side.fault.empty()) text += "; last fault: " + side.fault;
   if (!side.warning.empty()) text += "; " + side.warning;
-  if (!side.reason.empty()) text += "; nothing comes: " + side.reason;
+  if (!side.reason.empty()) text += "; no data: " + side.reason;
   return text;
 }
 

@@ -14,7 +14,8 @@ namespace capstan::tracking {
 
 /// Takes out motor readings that no arm can have, such as a damaged number between good ones: the motor would
 /// have crossed the range that the joint limits need in less than kCrossing. Readings that stay there,
-/// kToBelieve in succession, are believed: an encoder has slipped or was set to another zero.
+/// kToBelieve in succession or several for kCrossing, are believed: an encoder has slipped or was set to
+/// another zero, or the reading before was the damaged one.
 class StrayReadings {
  public:
   static constexpr double kCrossing = 0.05;  ///< [s]
@@ -61,6 +62,7 @@ class StrayReadings {
     double fastest = 0.0;         ///< speed of the motor [rad/s]
     std::optional<Reading> last;  ///< that was believed
     Reading suspect;              ///< newest of a run
+    double begin = 0.0;           ///< of the run [s]
     int run = 0;                  ///< stray readings in succession that agree
 
     /// Also where the clock was set back: then nothing is known of the time between.
@@ -71,8 +73,9 @@ class StrayReadings {
     bool isStray(const Reading& reading) {
       if (last && !isReachable(*last, reading)) {
         run = run > 0 && isReachable(suspect, reading) ? run + 1 : 1;
+        if (run == 1) begin = reading.t;
         suspect = reading;
-        if (run < kToBelieve) return true;
+        if (run < kToBelieve && (run == 1 || reading.t - begin < kCrossing)) return true;
       }
       last = reading, run = 0;
       return false;

@@ -56,6 +56,16 @@ TEST(ErrorsPanel, ShowsDegreesAndMillimetres) {
   test::grab(panel, "errors_panel");
 }
 
+TEST(ErrorsPanel, NamesOfTheColumnsAreLegible) {
+  for (const Theme& theme : {Theme::dark(), Theme::light()}) {
+    ErrorsPanel panel;
+    panel.setTheme(theme);
+    for (const auto* label : panel.findChildren<QLabel*>())
+      EXPECT_GE(contrastOf(label->palette().color(QPalette::WindowText), theme.window), Theme::kLeastContrast)
+          << label->text().toStdString();
+  }
+}
+
 TEST(ErrorsPanel, SaysSoWithoutNumbers) {
   ErrorsPanel panel;
   panel.setReference(false);

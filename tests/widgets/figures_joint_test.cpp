@@ -172,6 +172,25 @@ TEST_F(JointFigureTest, ReadOutEqualsTheHistoryUnderTheCursor) {
   EXPECT_FALSE(figure_.cursorTime());
 }
 
+TEST_F(JointFigureTest, ValuesUnderAMouseAtRestMoveWithTheTimeAxis) {
+  const QPoint mouse = at(15.0);
+  const double from_right = figure_.timeRange().upper - 15.0;
+  QMouseEvent move(QEvent::MouseMove, mouse, Qt::NoButton, Qt::NoButton, {});
+  QApplication::sendEvent(&figure_, &move);
+  QSignalSpy moved(&figure_, &JointFigure::cursorMoved);
+  feed(30'000, 55'000);
+  const double t = figure_.timeRange().upper - from_right;
+  ASSERT_TRUE(figure_.cursorTime());
+  EXPECT_NEAR(*figure_.cursorTime(), t, 20.0 / 700);
+  EXPECT_EQ(moved.count(), 1);
+  EXPECT_EQ(figure_.legend().title(), QStringLiteral("t %1 s").arg(*figure_.cursorTime(), 0, 'f', 3));
+  EXPECT_NEAR(figure_.plot(0).header()->value(Quantity::kTrue).toDouble(),
+              syntheticSnapshot(*figure_.cursorTime()).q_link_true[0] * 180.0 / M_PI, 0.1);
+  figure_.setCursor(40.0);
+  feed(55'000, 56'000);
+  EXPECT_EQ(figure_.cursorTime(), 40.0) << "a time that was set stays";
+}
+
 TEST_F(JointFigureTest, CameraReadsADashWhileOccluded) {
   figure_.setTimeRange(0.0, 20.0);
   figure_.setCursor(7.0);

@@ -35,6 +35,22 @@ TEST_P(ThemeTest, TextIsLegibleOnEveryGround) {
   EXPECT_GE(contrast(theme_.on_accent, theme_.accent), 4.5);
 }
 
+TEST_P(ThemeTest, ColouredWordsAreLegibleOnEveryGround) {
+  const QColor colours[] = {theme_.warning,
+                            theme_.fault,
+                            theme_.muted,
+                            theme_.colour(Quantity::kKinematic),
+                            theme_.colour(Quantity::kCamera),
+                            theme_.colour(Quantity::kUkf)};
+  for (const QColor& colour : colours)
+    for (const QColor& ground : {theme_.surface, theme_.window, theme_.raised}) {
+      EXPECT_GE(contrast(theme_.inkOf(colour), ground), 4.5)
+          << colour.name().toStdString() << " on " << ground.name().toStdString();
+      EXPECT_NEAR(contrastOf(colour, ground), contrast(colour, ground), 1e-12);
+    }
+  EXPECT_EQ(theme_.inkOf(theme_.text).name(), theme_.text.name()) << "legible as it is";
+}
+
 TEST_P(ThemeTest, DarkWordsStandOnWarningsAndFaults) {
   const QColor ink = Theme::dark().on_accent;
   EXPECT_GE(contrast(ink, theme_.warning), 4.5);

@@ -62,6 +62,14 @@ TEST(HealthPanelTest, ShowsTheWorstVerdictAndAdviceOnlyWhereItIsNeeded) {
   EXPECT_FALSE(textsOf(panel).contains("motor encoders")) << "rows of a former session are gone";
 }
 
+TEST(HealthPanelTest, APassDoesNotHideWhatIsNotJudged) {
+  HealthPanel panel;
+  auto checks = std::vector<HealthCheck>{someChecks().front(), someChecks().back()};
+  checks.front().verdict = HealthVerdict::kUnknown;
+  panel.showHealth(checks, {});
+  EXPECT_EQ(panel.headline(), "✓ pass · 1 of 2 checks unknown");
+}
+
 TEST(HealthPanelTest, Pictures) {
   for (const Theme& theme : {Theme::dark(), Theme::light()}) {
     HealthPanel panel;
@@ -71,7 +79,8 @@ TEST(HealthPanelTest, Pictures) {
     panel.resize(560, 560);
     panel.show();
     const QImage image = test::grab(panel, "health_" + theme.name);
-    EXPECT_GT(test::count(image, image.rect(), theme.fault, 8).pixels, 20) << "FAIL has its colour";
+    EXPECT_GT(test::count(image, image.rect(), theme.inkOf(theme.fault), 8).pixels, 20)
+        << "FAIL has its colour";
   }
   applyTheme(*qApp, Theme::dark());
 }

@@ -4,9 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <QAbstractItemView>
 #include <QCheckBox>
+#include <QFontMetrics>
 #include <QProcess>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QtTest/QTest>
@@ -18,6 +21,7 @@
 #include "core/simulation/simulation_request.h"
 #include "core/tracking/make_pipeline.h"
 #include "tests/widgets/picture.h"
+#include "widgets/panels/identification/change_text.h"
 #include "widgets/panels/identification/motion_offer.h"
 #include "widgets/panels/identification/parameter_choice.h"
 #include "widgets/panels/identification/parameter_table.h"
@@ -75,6 +79,48 @@ class Identification : public testing::Test {
   IdentificationPanel panel_;
 };
 
+TEST(ParameterTableLayout, ValuesAndTheirSigmaAreWholeInANarrowDock) {
+  ParameterTable table;
+  using Row = identification::LiveRow;
+  Row radius, damping, hidden;
+  radius.name = "r_l1", radius.value = "59.04", radius.sigma = "±0.25", radius.unit = "mm";
+  radius.change = "−6.5 %", radius.seen = radius.settled = true;
+  damping.name = "b_e2", damping.value = "123.4", damping.sigma = "±12.1", damping.unit = "N·s/m";
+  damping.change = "+12.5 %", damping.seen = true;
+  hidden.name = "f_c3", hidden.value = "not observable", hidden.unit = "N";
+  table.showRows({radius, damping, hidden});
+  table.resize(240, 80);
+  table.show();
+  QCoreApplication::processEvents();
+  EXPECT_EQ(table.text(0), "✓ r_l1 59.04 ±0.25 mm −6.5 %");
+  EXPECT_EQ(table.text(2), "f_c3 not observable");
+  for (int column = 0; column < table.columnCount(); ++column)
+    EXPECT_LE(static_cast<const QAbstractItemView&>(table).sizeHintForColumn(column),
+              table.columnWidth(column))
+        << column;
+}
+
+TEST(ErrorsText, LinesOfTheTableFitANarrowDock) {
+  identification::ModelError error;
+  error.before = error.after = Eigen::Vector3d(0.0123, 0.0123, 0.0123);
+  const QStringList lines = errorsText(error, robot::defaultDescription()).split('\n');
+  for (const QString& line : lines.mid(1))
+    EXPECT_LE(QFontMetrics(numberFont(8.5)).horizontalAdvance(line), 236);
+}
+
+TEST_F(Identification, TheButtonsStayWholeInALowAndNarrowDock) {
+  begin(4.0);
+  panel_.resize(270, 200);
+  panel_.choice().setNames("all");
+  press("start");
+  QCoreApplication::processEvents();
+  for (const char* name : {"start", "refine", "discard", "accept"}) {
+    const auto* button = panel_.findChild<QPushButton*>(name);
+    EXPECT_TRUE(panel_.rect().contains(button->geometry())) << name;
+    EXPECT_GE(button->width(), button->sizeHint().width()) << name;
+  }
+}
+
 TEST_F(Identification, FromStartToASavedRobot) {
   begin(20.0);
   test::grab(panel_, "identification_panel_idle");
@@ -101,6 +147,8 @@ TEST_F(Identification, FromStartToASavedRobot) {
       QString("%1 °").arg(tracking::forPeople(panel_.live().error()->after(0), 0), 0, 'f', 3)))
       << panel_.changes().toStdString();
   EXPECT_TRUE(panel_.changes().contains(" mm")) << panel_.changes().toStdString();
+  EXPECT_TRUE(panel_.changes().contains(QRegularExpression("→ 5\\d\\.\\d+ ±0\\.\\d+ mm, −[67]")))
+      << panel_.changes().toStdString();
   test::grab(panel_, "identification_panel_accepted");
 
   const QTemporaryDir folder;

@@ -110,6 +110,13 @@ TEST_F(IdentificationWindow, StandsInASmallWindowAndEndsWithIt) {
   ASSERT_TRUE(waitFor([&] { return panel().live().shown().recorded > 5.0; }))
       << panel().words().toStdString();
   pictures("collecting");
+  for (const char* name : {"start", "refine", "discard", "accept"}) {
+    const QPushButton& button = *buttonOf(panel(), name);
+    EXPECT_EQ(button.visibleRegion().boundingRect(), button.rect()) << name << " is whole";
+  }
+  const QAbstractItemView& table = panel().table();
+  for (int column = 0; column < panel().table().columnCount(); ++column)
+    EXPECT_LE(table.sizeHintForColumn(column), panel().table().columnWidth(column)) << column << " is whole";
   buttonOf(panel(), "refine")->click();
   ASSERT_TRUE(waitFor([&] { return panel().live().refining() && panel().busy(); }));
   pictures("refining");

@@ -185,19 +185,22 @@ TEST_F(LiveDialogTest, RelativePathsAreThoseBesideTheFile) {
 /// A master that answers as that of ROS, on this computer's own port.
 TEST_F(LiveDialogTest, TopicsOfARosMasterAreOffered) {
   httplib::Server master;
-  std::atomic<bool> slow = false;
+  std::atomic<bool> slow = false, motors_ended = false;
   master.Post("/RPC2", [&](const httplib::Request& request, httplib::Response& response) {
     if (slow) std::this_thread::sleep_for(std::chrono::seconds(2));
+    const std::string motors = motors_ended ? "/rosout_agg" : "/arm/actuators/measured_js";
     EXPECT_NE(request.body.find("getPublishedTopics"), std::string::npos);
     response.set_content(
         "<?xml version='1.0'?>\n<methodResponse>\n<params>\n<param>\n<value><array><data>\n"
         "<value><int>1</int></value>\n<value><string>current topics</string></value>\n<value><array><data>\n"
-        "<value><array><data>\n<value><string>/arm/actuators/measured_js</string></value>\n"
-        "<value><string>sensor_msgs/JointState</string></value>\n</data></array></value>\n"
-        "<value><array><data>\n<value>/stereo/left/image_raw</value>\n<value>sensor_msgs/Image</value>\n"
-        "</data></array></value>\n<value><array><data>\n<value><string>/rosout</string></value>\n"
-        "<value><string>rosgraph_msgs/Log</string></value>\n</data></array></value>\n"
-        "</data></array></value>\n</data></array></value>\n</param>\n</params>\n</methodResponse>\n",
+        "<value><array><data>\n<value><string>" +
+            motors +
+            "</string></value>\n"
+            "<value><string>sensor_msgs/JointState</string></value>\n</data></array></value>\n"
+            "<value><array><data>\n<value>/stereo/left/image_raw</value>\n<value>sensor_msgs/Image</value>\n"
+            "</data></array></value>\n<value><array><data>\n<value><string>/rosout</string></value>\n"
+            "<value><string>rosgraph_msgs/Log</string></value>\n</data></array></value>\n"
+            "</data></array></value>\n</data></array></value>\n</param>\n</params>\n</methodResponse>\n",
         "text/xml");
   });
   const int port = master.bind_to_any_port("127.0.0.1");
@@ -222,6 +225,10 @@ TEST_F(LiveDialogTest, TopicsOfARosMasterAreOffered) {
   from.setCurrentIndex(from.findData("ros:/arm/actuators/measured_js"));
   EXPECT_EQ(dialog_.setup().motors.from, "ros:/arm/actuators/measured_js");
 
+  motors_ended = true;
+  EXPECT_TRUE(waitFor([&] { return !offers("from", "/arm/actuators/measured_js"); }));
+  EXPECT_EQ(dialog_.setup().motors.from, "ros:/arm/actuators/measured_js") << "it may come back";
+
   // A master that does not answer, and none at all: the window goes on meanwhile.
   slow = true;
   dialog_.hide();
@@ -233,6 +240,47 @@ TEST_F(LiveDialogTest, TopicsOfARosMasterAreOffered) {
   master.stop();
   serving.join();
   qunsetenv("ROS_MASTER_URI");
+}
+
+/// The preview is where a wrong sign is to be seen, so it shows what it cannot be.
+TEST_F(LiveDialogTest, PreviewShowsMotorsThatCountTheOtherWayAndFollowsTheForm) {
+  live::LiveSetup setup{.title = "robot", .robot = {}, .motors = {}, .cameras = {}, .commands = {}};
+  setup.motors.from = "tcp://127.0.0.1:" + freePort();
+  setup.motors.signs = {-1.0, 1.0, 1.0};
+  dialog_.setSetup(setup);
+  dialog_.show();
+  std::atomic<bool> quit = false;
+  std::thread robot([&] {
+    std::unique_ptr<live::TcpSender> sender;
+    for (int k = 0; !quit; ++k) {
+      try {
+        if (!sender) {
+          sender = std::make_unique<live::TcpSender>(live::parseAddress(setup.motors.from, "from"));
+          sender->send("t,q_m1,q_m2,q_m3\n");
+        }
+        // False: the preview has begun again.
+        if (!sender->send(QString("%1,80,-90,-480\n").arg(k * 0.01).toStdString())) sender.reset();
+      } catch (const base::InputError&) {  // it does not listen yet
+      }
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+  });
+  of<QPushButton>("preview").click();
+  EXPECT_TRUE(waitFor([&] { return textOf("preview_motor_1").contains("motor at -4583.66°"); }))
+      << textOf("preview_motor_1").toStdString();
+  EXPECT_TRUE(waitFor([&] { return textOf("preview_sides").contains("has left its limits"); }))
+      << textOf("preview_sides").toStdString();
+  of<QCheckBox>("reversed_1").setChecked(false);
+  EXPECT_TRUE(waitFor([&] { return textOf("preview_motor_1").contains("motor at 4583.66°"); }))
+      << textOf("preview_motor_1").toStdString() << textOf("preview_sides").toStdString();
+  EXPECT_FALSE(textOf("preview_sides").contains("has left its limits"));
+  of<QSpinBox>("motor_1").setValue(2);
+  EXPECT_TRUE(waitFor([&] { return textOf("message").contains("motors.motors"); })) << "motor 2 twice";
+  of<QSpinBox>("motor_1").setValue(1);
+  EXPECT_TRUE(waitFor([&] { return textOf("preview_motor_1").contains("motor at 4583.66°"); }));
+  EXPECT_EQ(textOf("message"), "");
+  quit = true;
+  robot.join();
 }
 
 TEST_F(LiveDialogTest, PreviewSaysWhyASideCannotBeOpened) {

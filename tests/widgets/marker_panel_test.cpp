@@ -59,7 +59,7 @@ TEST_F(MarkerPanelTest, AClickOnTheMarkerGivesItsLimits) {
 TEST_F(MarkerPanelTest, AClickBesideItSaysWhyNot) {
   click(0, {40, 40});
   EXPECT_TRUE(used_.empty());
-  EXPECT_TRUE(panel_.message().contains("(40, 40)")) << panel_.message().toStdString();
+  EXPECT_TRUE(panel_.message().contains(", at 40, 40 px. ")) << panel_.message().toStdString();
   test::grab(panel_, "marker_refused");
 }
 

@@ -142,6 +142,33 @@ TEST_F(PosesPageTest, ButtonsStayWhereTheyAreWhateverTheTextsSay) {
   dock.takeWidget();
 }
 
+TEST_F(PosesPageTest, TheResultOfAFailedCheckIsReadWhole) {
+  page_.resize(560, 400);
+  button("Collect poses")->click();
+  visit(8);
+  button("Check at three more poses")->click();
+  truth_.translation().x() += 0.012;  // another mark is detected
+  visit(3);
+  for (const auto* label : page_.findChildren<QLabel*>())
+    if (label->text().contains("does not hold")) {
+      EXPECT_TRUE(label->text().endsWith("another mark was detected.")) << label->text().toStdString();
+      EXPECT_LE(label->heightForWidth(label->width()), label->height());
+      return;
+    }
+  FAIL() << "the check does not fail";
+}
+
+TEST_F(PosesPageTest, WithoutARegistrationNoneIsSaidToBeInUse) {
+  EXPECT_TRUE(says("Compares the registration in use"));
+  page_.begin(robot_, {});
+  EXPECT_FALSE(says("the registration in use"));
+  EXPECT_TRUE(says("No registration is in use"));
+  button("Collect poses")->click();
+  visit(8);
+  EXPECT_TRUE(says("Compares the fit"));
+  EXPECT_FALSE(page_.summary().contains("from the one in use")) << page_.summary().toStdString();
+}
+
 TEST_F(PosesPageTest, KeepsPosesThatAreNeitherAcceptedNorSaved) {
   const QTemporaryDir folder;
   button("Collect poses")->click();

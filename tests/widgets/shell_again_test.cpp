@@ -2,11 +2,13 @@
 // registration and failed motors stay with their arm; occlusion belongs to the session.
 #include <QAction>
 #include <QPushButton>
+#include <QSpinBox>
 
 #include "core/base/resource.h"
 #include "tests/widgets/shell_fixture.h"
 #include "widgets/panels/identification/identification_panel.h"
 #include "widgets/panels/identification/parameter_choice.h"
+#include "widgets/panels/marker/marker_panel.h"
 #include "widgets/panels/notes/notes_panel.h"
 #include "widgets/panels/occlusion/occlusion_panel.h"
 #include "widgets/panels/registration/registration_panel.h"
@@ -106,7 +108,7 @@ TEST_F(Shell, TheAcceptedRobotBelongsToItsArm) {
   window->open(other);
   ASSERT_TRUE(waitFor([&] { return window->lastSource().simulation == other.simulation; }));
   EXPECT_EQ(radiusInUse(*window), window->link().runner()->info().robot.drives[0].link_radius);
-  EXPECT_TRUE(noted(*window, "belongs to another arm")) << notesOf(*window).toStdString();
+  EXPECT_TRUE(noted(*window, "belongs to another robot or truth file")) << notesOf(*window).toStdString();
   EXPECT_FALSE(statusOf(*window).contains("identified")) << statusOf(*window).toStdString();
 
   window->open(wrongRadius(50.0));
@@ -135,6 +137,56 @@ TEST_F(Shell, RegistrationAndFailedMotorsStayWhenTheSessionBeginsAgain) {
   });
   ASSERT_TRUE(waitFor([&] { return asked; }));
   EXPECT_TRUE(registered) << "the accepted registration was dropped";
+}
+
+TEST_F(Shell, TheLimitsOfTheMarkerStayWhenTheSessionBeginsAgain) {
+  const auto window = makeWindow();
+  window->bar().setSpeed(10.0);
+  window->open(atRest(5.0));
+  ASSERT_TRUE(opened(*window));
+  auto* panel = window->findChild<MarkerPanel*>();
+  panel->findChild<QSpinBox*>("hue_low")->setValue(50);
+  ASSERT_TRUE(ended(*window));
+  again(*window);
+  EXPECT_EQ(window->link().runner()->marker().hue_low, 50) << "the chosen limits were dropped";
+  EXPECT_EQ(panel->options().hue_low, 50);
+
+  window->open(atRest(6.0));
+  ASSERT_TRUE(waitFor([&] { return window->lastSource().simulation.duration == 6.0; }));
+  EXPECT_EQ(window->link().runner()->marker().hue_low, vision::MarkerOptions{}.hue_low) << "another source";
+}
+
+/// Records a second of the open session, and gives the file.
+QString recorded(MainWindow& window) {
+  const auto stateIs = [&](recording::RecorderState state) {
+    const auto status = window.link().runner()->status();
+    return status.recorder && status.recorder->state == state;
+  };
+  window.action("record")->trigger();
+  EXPECT_TRUE(waitFor([&] { return stateIs(recording::RecorderState::kRecording); }));
+  const double begin = window.link().runner()->status().t;
+  EXPECT_TRUE(waitFor([&] { return window.link().runner()->status().t > begin + 1.0; }));
+  window.action("record")->trigger();
+  EXPECT_TRUE(waitFor([&] { return stateIs(recording::RecorderState::kClosed); }));
+  return QString::fromStdString(window.link().runner()->status().recording);
+}
+
+TEST_F(Shell, ARecordingMadeWithTheChosenRobotIsOfTheSameArm) {
+  const auto window = makeWindow();
+  window->open(wrongRadius(600.0));
+  ASSERT_TRUE(opened(*window));
+  robot::Description robot = window->link().runner()->info().robot;
+  robot.drives[0].link_radius *= 1.01;
+  ASSERT_TRUE(window->link().useRobot(robot, {"identified", "a test", "r_l1 +1 %"}));
+  const QString made = recorded(*window);
+  window->open(SourceChoice::ofFile(made));
+  ASSERT_TRUE(waitFor([&] { return !window->link().runner()->info().live; }));
+  EXPECT_EQ(radiusInUse(*window), robot.drives[0].link_radius);
+  EXPECT_FALSE(noted(*window, "chosen before")) << notesOf(*window).toStdString();
+  EXPECT_TRUE(noted(*window, "RAVEN-II left, identified, the source's own"))
+      << notesOf(*window).toStdString();
+  EXPECT_TRUE(statusOf(*window).contains("robot RAVEN-II left, identified"))
+      << statusOf(*window).toStdString();
 }
 
 void press(MainWindow& window, const QString& share) {

@@ -135,6 +135,7 @@ TEST_F(Books, ExportsEverythingAsTheCommandLineDoes) {
   ASSERT_TRUE(waitFor([&] { return !window->exports().busy(); }));
   EXPECT_TRUE(window->message().isEmpty()) << window->message().toStdString();
   const QString index = textOf(file("out/index.html"));
+  EXPECT_TRUE(index.contains("<h1>recording trial.capstan")) << "the title names the recording";
   for (const QString& name : QDir(file("expected")).entryList(QDir::Files)) {
     QString mine = name;
     mine.replace("trial-trajectory-trial", "session-trajectory-session")

@@ -196,7 +196,7 @@ TEST_F(Operator, AReplayIsCalledARecordingByItsFile) {
   ASSERT_TRUE(waitFor([&] { return !line->text().contains("monday.capstan"); }));
 }
 
-TEST_F(Operator, AWrongRobotFailsTheVerdictAndIdentifyIsBesideIt) {
+TEST_F(Operator, AWrongRobotIsSaidAndIdentifyIsBesideIt) {
   auto window = activeWindow();
   window->bar().setSpeed(10.0);
   simulation::SimulationRequest request;
@@ -205,8 +205,7 @@ TEST_F(Operator, AWrongRobotFailsTheVerdictAndIdentifyIsBesideIt) {
   window->open(SourceChoice::ofSimulation(request));
   ASSERT_TRUE(opened(*window));
   auto* line = window->findChild<StatusLine*>();
-  ASSERT_TRUE(waitFor([&] { return line->text().contains("FAIL"); })) << line->text().toStdString();
-  EXPECT_TRUE(line->text().contains("FAIL, too high")) << line->text().toStdString();
+  ASSERT_TRUE(waitFor([&] { return line->text().contains("q1 travel"); })) << line->text().toStdString();
   auto* remedies = line->findChild<QToolButton*>("remedies");
   ASSERT_TRUE(remedies);
   EXPECT_TRUE(remedies->isVisible());

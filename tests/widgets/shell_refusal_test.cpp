@@ -38,6 +38,8 @@ TEST_F(Shell, ARefusedProgramIsSaidWithItsRemedyUntilRowsCome) {
     right->send(std::to_string(1e-3 * k++) + ",80,-90,-480\n");
     return window->message().isEmpty();
   })) << window->message().toStdString();
+  QTest::qWait(700);  // the motors are silent: nothing more was refused
+  EXPECT_EQ(window->message(), "");
 }
 
 }  // namespace

@@ -34,6 +34,7 @@ TEST_F(Shell, ScrubbingShowsImagesAndValuesOfThatTime) {
   test::grab(*window, "shell_replay");
   replay->follow();
   EXPECT_FALSE(figure->cursorTime());
+  EXPECT_EQ(video->left().grab().toImage(), newest) << "no other image comes after the end";
 }
 
 TEST_F(Shell, ANoteIsATickOfTheTimeLine) {

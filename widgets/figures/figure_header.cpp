@@ -99,7 +99,7 @@ void FigureHeader::draw(QCPPainter* painter) {
     QFont font = title ? titleFont(points_) : columnFont();
     font.setStrikeOut(muted);
     painter->setFont(font);
-    painter->setPen(title && fault_ ? (theme_->isDark() ? theme_->fault : theme_->fault.darker(150))
+    painter->setPen(title && fault_                              ? theme_->inkOf(theme_->fault)
                     : muted || (title && role_ != Role::kValues) ? theme_->muted
                                                                  : theme_->text);
     // One pixel wider than the text, because rounding would clip it otherwise.

@@ -2,6 +2,7 @@
 
 #include <QPushButton>
 #include <algorithm>
+#include <utility>
 
 #include "widgets/figures/number_text.h"
 #include "widgets/figures/panel_figure.h"
@@ -179,13 +180,13 @@ void JointFigure::fitHeaders() {
 }
 
 /// Description of the figure, shortened to the room that there is.
-QString JointFigure::noteText(const QCPRange& time) const {
+QString JointFigure::noteText(const QCPRange& time, double shown) const {
   const auto within = [&](const auto& ring) {
     return ring.partitionPoint([&](const auto& item) { return item.t <= time.upper; }) -
            ring.partitionPoint([&](const auto& item) { return item.t < time.lower; });
   };
   const QString span = tr("%1 to %2 s").arg(time.lower, 0, 'f', 2).arg(time.upper, 0, 'f', 2);
-  const QString at = tr(" · numbers: at t");
+  const QString at = tr(" · numbers: at %1 s").arg(shown, 0, 'f', 3);
   QString words = tr(" · %1 points drawn · %2 camera observations")
                       .arg(within(history_->rows()))
                       .arg(within(history_->camera()));
@@ -217,16 +218,20 @@ void JointFigure::refresh(bool at_once) {
   }
   later_.stop();
   const std::size_t most = static_cast<std::size_t>(std::max(kStepsAPixel * width(), 200.0));
-  if (note_) note_->setTitle(noteText(time));
   for (std::size_t i = 0; i < plots_.size(); ++i) {
     plots_[i]->axes()->axis(QCPAxis::atBottom)->setRange(time);
     plots_[i]->fill(time.lower, time.upper, most);
     plots_[i]->fitValues();
     if (statistics_on_) showStatisticsOf(static_cast<int>(i), time);
   }
+  const std::optional<double> cursor = pointer_ ? timeAt(*pointer_) : cursor_;
+  const bool moved = std::exchange(cursor_, cursor) != cursor;
   noticeReference();
-  showReadout(cursor_.value_or(following_ ? history_->end() : std::min(end_, history_->end())));
+  const double shown = cursor_.value_or(following_ ? history_->end() : std::min(end_, history_->end()));
+  if (note_) note_->setTitle(noteText(time, shown));
+  showReadout(shown);
   if (!(time == drawn_.time)) Q_EMIT timeRangeShown(time.lower, time.upper);
+  if (moved) Q_EMIT cursorMoved(cursor);
   drawn_ = viewOf(time);
   since_drawn_.start();
   replot(at_once ? rpImmediateRefresh : rpQueuedReplot);
@@ -298,7 +303,8 @@ void JointFigure::setTimeRange(double begin, double end) {
 }
 
 void JointFigure::setCursor(std::optional<double> t) {
-  if (t == cursor_) return;
+  if (t == cursor_ && !pointer_) return;
+  pointer_.reset();
   cursor_ = t;
   refresh();
   Q_EMIT cursorMoved(t);

@@ -83,7 +83,8 @@ class JointFigure : public QCustomPlot {
   void setTimeRange(double begin, double end);
   QCPRange timeRange() const;
 
-  /// Sets the time of the values in the headers; none: the newest sample. Mouse moves set it too.
+  /// Sets the time of the values in the headers; none: the newest sample. The mouse sets it too, to the time
+  /// under it, also while the time axis moves below a mouse at rest.
   void setCursor(std::optional<double> t);
   std::optional<double> cursorTime() const { return cursor_; }
   /// Sets a mark. The headers then show the differences of the values from those at the mark.
@@ -125,7 +126,7 @@ class JointFigure : public QCustomPlot {
     std::array<QCPRange, 3> values;
     QSize size;
     const Theme* theme = nullptr;
-    std::optional<double> cursor;
+    std::optional<double> cursor, pointer;          ///< at most one of them
     double begin = 0.0, detail = 0.0, block = 0.0;  ///< times of the history, as far as in view
     std::uint64_t revision = 0;                     ///< revision of the history, where its end is in view
     double newest = 0.0;                            ///< its last time, where that is in view
@@ -143,13 +144,14 @@ class JointFigure : public QCustomPlot {
   void drawAnew();
   void noticeReference();
   void fitHeaders();
-  QString noteText(const QCPRange& time) const;
+  QString noteText(const QCPRange& time, double shown) const;
   void placeLiveButton();
   QCPRange limits() const;
   void zoomTime(double factor, double about);
   void zoomTo(const QRectF& box);
   void moveTo(const QPointF& position);
   void clickLegend(const QPointF& position);
+  std::optional<double> timeAt(double x) const;
   JointPlot* valueAxisAt(const QPointF& position) const;
 
   const JointHistory& values_;
@@ -175,7 +177,8 @@ class JointFigure : public QCustomPlot {
   double span_ = 20.0;
   double end_ = 0.0;
   std::optional<double> cursor_, mark_;
-  View drawn_;  ///< the view drawn last
+  std::optional<double> pointer_;  ///< x of the mouse that sets the cursor [px]; none: no mouse sets it
+  View drawn_;                     ///< the view drawn last
   QElapsedTimer since_drawn_;
   QTimer later_;  ///< draws what was not worth drawing at once
   std::optional<QPointF> drag_from_;

@@ -62,18 +62,26 @@ void JointFigure::mousePressEvent(QMouseEvent* event) {
   box_->show();
 }
 
+/// Time at the pixel x, within the history; none: beside the axes.
+std::optional<double> JointFigure::timeAt(double x) const {
+  const QRect area = plots_[0]->axes()->rect();
+  if (x < area.left() || x > area.right()) return std::nullopt;
+  return std::clamp(plots_[0]->axes()->axis(QCPAxis::atBottom)->pixelToCoord(x), limits().lower,
+                    limits().upper);
+}
+
 void JointFigure::mouseMoveEvent(QMouseEvent* event) {
   const QPointF position = event->localPos();
+  if (pointer_) pointer_ = position.x();
   dragged_ = dragged_ || (drag_from_ && (position - *drag_from_).manhattanLength() > kClick);
   if (drag_from_ && box_) {
     box_->setGeometry(QRectF(*drag_from_, position).normalized().toRect());
     return;
   }
   if (drag_from_ && dragged_) return moveTo(position);
-  const QRect area = plots_[0]->axes()->rect();
-  if (position.x() < area.left() || position.x() > area.right()) return setCursor(std::nullopt);
-  const double t = plots_[0]->axes()->axis(QCPAxis::atBottom)->pixelToCoord(position.x());
-  setCursor(std::clamp(t, limits().lower, limits().upper));
+  if (!timeAt(position.x())) return setCursor(std::nullopt);
+  pointer_ = position.x();
+  refresh();
 }
 
 void JointFigure::mouseReleaseEvent(QMouseEvent* event) {

@@ -4,6 +4,8 @@
 #include <QFile>
 #include <QPalette>
 #include <QStyleFactory>
+#include <algorithm>
+#include <cmath>
 
 #include "core/base/resource.h"
 
@@ -47,6 +49,14 @@ Theme makeLight() {
   theme.occluded = QColor(230, 159, 0, 46);
   theme.truth = Qt::black;
   return theme;
+}
+
+/// Relative luminance, 0…1 (WCAG 2.1).
+double luminanceOf(const QColor& colour) {
+  const auto linear = [](double share) {
+    return share <= 0.03928 ? share / 12.92 : std::pow((share + 0.055) / 1.055, 2.4);
+  };
+  return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) + 0.0722 * linear(colour.blueF());
 }
 
 /// The style sheet of resources/style with @names replaced by the theme's colours.
@@ -105,6 +115,19 @@ QColor Theme::colour(Quantity quantity) const {
   return {};
 }
 
+QColor Theme::inkOf(const QColor& colour) const {
+  constexpr double kStep = 0.02;
+  const double way = isDark() ? kStep : -kStep;
+  QColor ink = colour;
+  const auto legible = [&](const QColor& ground) { return contrastOf(ink, ground) >= kLeastContrast; };
+  while (!(legible(window) && legible(surface) && legible(raised))) {
+    const double lightness = ink.lightnessF() + way;
+    if (lightness < 0.0 || lightness > 1.0) break;
+    ink = QColor::fromHslF(ink.hslHueF(), ink.hslSaturationF(), lightness).rgb();
+  }
+  return ink;
+}
+
 QPen Theme::pen(Quantity quantity) const {
   const QColor ink = colour(quantity);
   switch (quantity) {
@@ -124,6 +147,11 @@ QColor Theme::band() const {
   QColor fill = colour(Quantity::kUkf);
   fill.setAlpha(70);
   return fill;
+}
+
+double contrastOf(const QColor& a, const QColor& b) {
+  const auto [darker, lighter] = std::minmax({luminanceOf(a), luminanceOf(b)});
+  return (lighter + 0.05) / (darker + 0.05);
 }
 
 QFont textFont(double points, bool bold) {

@@ -19,6 +19,8 @@ QString nameOf(Quantity quantity);
 /// themes except the truth, which is black on light and white on dark. All other colours are quiet, with one
 /// accent.
 struct Theme {
+  static constexpr double kLeastContrast = 4.5;  ///< of text (WCAG 2.1, level AA)
+
   QString name;      ///< "dark" or "light"
   QColor window;     ///< behind everything
   QColor surface;    ///< panels, plots, fields
@@ -41,6 +43,9 @@ struct Theme {
 
   bool isDark() const { return name == QLatin1String("dark"); }
   QColor colour(Quantity quantity) const;
+  /// `colour` as text: darker in the light theme, lighter in the dark one, as far as its contrast on every
+  /// background (window, surface, raised) needs it to be kLeastContrast.
+  QColor inkOf(const QColor& colour) const;
   /// The quantity's pen, the same in every plot: true thin and solid, kinematic dashed, UKF thick and solid.
   /// Thick lines are drawn below thin ones (UKF, kinematic, true), so that each stays visible where they
   /// coincide. The camera has marks, not a line: Qt::NoPen with its colour.
@@ -48,6 +53,9 @@ struct Theme {
   /// Fill colour of the filter's ±2σ band.
   QColor band() const;
 };
+
+/// Contrast ratio of two colours, 1…21 (WCAG 2.1).
+double contrastOf(const QColor& a, const QColor& b);
 
 /// Fonts of text and of numbers; `points`: size [typographic points].
 QFont textFont(double points, bool bold = false);

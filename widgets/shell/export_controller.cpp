@@ -47,9 +47,10 @@ ExportController::ExportController(const Views& views, const AnalysisController&
   connect(&everything_, &FullExport::ended, this, &ExportController::showEnd);
 }
 
-void ExportController::gather(const tracking::SourceInfo& info) {
+void ExportController::gather(const tracking::SourceInfo& info, const SourceChoice& choice) {
   everything_.cancel();  // its plots were of the session before
   events_.clear();
+  title_ = titleOf(choice, info.title).toStdString();
   for (std::size_t i = 0; i < 3 && i < info.robot.joints.size(); ++i)
     joint_names_[i] = QString::fromStdString(info.robot.joints[i].name);
 }
@@ -102,6 +103,7 @@ analysis::SessionRecord ExportController::record() const {
   const live::Runner& runner = *link_.runner();
   analysis::SessionRecord record;
   record.run = errors_.soFar();
+  record.run.title = title_;
   record.report = runner.report();
   record.health = runner.health();
   for (std::size_t i = 0; i < 3; ++i) record.joint_names[i] = joint_names_[i].toStdString();

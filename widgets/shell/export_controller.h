@@ -6,6 +6,7 @@
 #include "core/analysis/session_record.h"
 #include "widgets/figures/theme.h"
 #include "widgets/panels/analysis/full_export.h"
+#include "widgets/shell/source_choice.h"
 
 namespace capstan::widgets {
 
@@ -41,7 +42,7 @@ class ExportController : public QObject {
  private:
   void askPlots();
   void askEverything();
-  void gather(const tracking::SourceInfo& info);
+  void gather(const tracking::SourceInfo& info, const SourceChoice& choice);
   analysis::SessionRecord record() const;
   void showProgress(double fraction, const QString& doing);
   void showEnd(const QString& index, const QString& words);
@@ -51,6 +52,7 @@ class ExportController : public QObject {
   const AnalysisController& errors_;
   SessionLink& link_;
   std::array<QString, 3> joint_names_;
+  std::string title_;  ///< of the source in the window: of a recording its file name, too
   std::vector<recording::SessionEvent> events_;
   double now_ = 0.0;  ///< newest session time [s]
   FullExport everything_;

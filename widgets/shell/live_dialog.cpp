@@ -26,6 +26,7 @@ namespace {
 
 constexpr const char* kAddress = "tcp://127.0.0.1:5555";
 constexpr double kPerSecond = 1e3;  // ms
+constexpr int kRest = 500;          // ms; a form that stays so long is not being filled in
 
 }  // namespace
 
@@ -55,9 +56,12 @@ LiveDialog::LiveDialog(QWidget* parent) : QDialog(parent) {
   message_->setObjectName("message");
   message_->setWordWrap(true);
   message_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  message_->setMinimumHeight(2 * fontMetrics().lineSpacing());  // most faults fit: nothing moves
   grid->addWidget(message_, 3, 0, 1, 2);
   grid->addWidget(makeButtons(), 4, 0, 1, 2);
   grid->setColumnStretch(0, 1);
+  watch_.setInterval(kRest);
+  connect(&watch_, &QTimer::timeout, this, &LiveDialog::followForm);
   live::LiveSetup initial;
   initial.title = tr("my robot").toStdString();
   setSetup(initial);
@@ -271,26 +275,25 @@ live::LiveSetup LiveDialog::setup() const {
   return setup;
 }
 
-void LiveDialog::openFile(const QString& file) {
+bool LiveDialog::showingFaults(const std::function<void()>& work) {
   try {
-    setSetup(live::readLiveSetup(file.toStdString()));
-    file_ = file;
-    say({});
+    work();
+    message_->clear();
+    return true;
   } catch (const base::InputError& error) {
-    say(QString::fromStdString(error.what()));
+    message_->setText(QString::fromStdString(error.what()));
+    return false;
   }
 }
 
+void LiveDialog::openFile(const QString& file) {
+  if (showingFaults([&] { setSetup(live::readLiveSetup(file.toStdString())); })) file_ = file;
+}
+
 bool LiveDialog::saveFile(const QString& file) {
-  try {
-    live::writeLiveSetup(setup(), file.toStdString());
-    file_ = file;
-    say({});
-    return true;
-  } catch (const base::InputError& error) {
-    say(QString::fromStdString(error.what()));
-    return false;
-  }
+  const bool saved = showingFaults([&] { live::writeLiveSetup(setup(), file.toStdString()); });
+  if (saved) file_ = file;
+  return saved;
 }
 
 void LiveDialog::askOpen() {
@@ -303,6 +306,7 @@ void LiveDialog::askOpen() {
 }
 
 void LiveDialog::askSave(bool then_connect) {
+  if (!showingFaults([&] { live::checkLiveSetup(setup()); })) return;
   auto* dialog = new QFileDialog(this, tr("Save the live set-up"), file_.isEmpty() ? "robot.yaml" : file_,
                                  tr("Live set-ups (*.yaml)"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
@@ -315,14 +319,28 @@ void LiveDialog::askSave(bool then_connect) {
 }
 
 void LiveDialog::togglePreview(bool on) {
-  say({});
-  if (!on) return preview_->stop();
-  const live::LiveSetup now = besideFile();
-  if (now.motors.from == "-") {
-    preview_button_->setChecked(false);
-    return say(tr("Standard input cannot be previewed: its rows are read once."));
+  message_->clear();
+  if (on) {
+    watch_.start();
+    return beginPreview();
   }
-  preview_->start(now);
+  watch_.stop();
+  preview_->stop();
+}
+
+void LiveDialog::beginPreview() {
+  previewed_ = seen_ = besideFile();
+  preview_->stop();
+  if (!showingFaults([&] { live::checkMotors(previewed_.motors); })) return;
+  if (previewed_.motors.from == "-")
+    return message_->setText(tr("Standard input cannot be previewed: its rows are read once."));
+  preview_->start(previewed_);
+}
+
+void LiveDialog::followForm() {
+  const live::LiveSetup now = besideFile();
+  if (now == seen_ && now != previewed_) beginPreview();
+  seen_ = now;
 }
 
 live::LiveSetup LiveDialog::besideFile() const {
@@ -351,11 +369,6 @@ void LiveDialog::connectRobot() {
   if (!saved) return askSave(true);
   Q_EMIT chosen(file_);
   accept();
-}
-
-void LiveDialog::say(const QString& fault) {
-  message_->setText(fault);
-  message_->setVisible(!fault.isEmpty());
 }
 
 void LiveDialog::showEvent(QShowEvent* event) {

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <QDialog>
+#include <QTimer>
 #include <array>
+#include <functional>
 #include <optional>
 
 #include "core/live/live_setup.h"
@@ -59,10 +61,14 @@ class LiveDialog : public QDialog {
   void fillDevices();
   void fitLayout();
   void togglePreview(bool on);
+  void beginPreview();
+  /// Previews what the form says now, when it has rested for a moment.
+  void followForm();
+  /// Shows what `work` throws. False: there was a fault.
+  bool showingFaults(const std::function<void()>& work);
   void askOpen();
   void askSave(bool then_connect);
   void connectRobot();
-  void say(const QString& fault);
   /// setup(), whose relative paths are paths from the folder of the set-up file.
   live::LiveSetup besideFile() const;
   /// An address alone says the same.
@@ -80,6 +86,8 @@ class LiveDialog : public QDialog {
   std::optional<live::CommandsSetup> commands_;  ///< of the file; the form does not show them
   QPushButton* preview_button_;
   LivePreviewView* preview_;
+  live::LiveSetup previewed_, seen_;  ///< what preview_ shows; the form at the last look
+  QTimer watch_;
   LiveTopics* topics_;
   QLabel* message_;
 };

@@ -298,12 +298,12 @@ void MainWindow::onStatus(const live::RunStatus& status) {
 void MainWindow::showRefusal(const std::vector<tracking::SideStatus>& sides) {
   for (const tracking::SideStatus& side : sides) {
     const QString about = QString::fromStdString(side.name);
-    std::string& shown = refusals_[side.name];
+    Refusal& last = refusals_[side.name];
     if (side.state == tracking::SideStatus::State::kReceiving) {
       messages_->settle(about);
-      shown.clear();
-    } else if (side.refused > 0 && side.fault != shown && messages_->about() != "recording") {
-      shown = side.fault;
+      last = {side.refused, {}};
+    } else if (side.refused > last.count && side.fault != last.shown && messages_->about() != "recording") {
+      last = {side.refused, side.fault};
       messages_->showMessage(tr("%1 refused: %2").arg(about, QString::fromStdString(side.fault)), about);
     }
   }

@@ -109,9 +109,13 @@ class MainWindow : public QMainWindow {
   SessionLink link_;
   double now_ = 0.0;  ///< newest session time [s]
   QString title_ = "no source";
-  tracking::SideWatch sides_;                    ///< changes of a live source, for the notes
-  std::map<std::string, std::string> refusals_;  ///< by side of a live source: the reason that was shown
-  live::PauseWatch pauses_;                      ///< of a live source, for the notes
+  tracking::SideWatch sides_;  ///< changes of a live source, for the notes
+  struct Refusal {
+    std::uint64_t count = 0;  ///< of the side, when it was shown or settled
+    std::string shown;        ///< reason; empty: none, or settled
+  };
+  std::map<std::string, Refusal> refusals_;  ///< by side of a live source
+  live::PauseWatch pauses_;                  ///< of a live source, for the notes
   std::optional<double> recording_since_;
   JointFigure* figure_;
   MessageBar *messages_, *news_, *export_news_, *compare_news_, *registration_news_;

@@ -71,7 +71,8 @@ void MainWindow::addDocks() {
     return frame;
   };
   auto* health = themed(new HealthPanel);
-  new HealthController(*health, *floating("health", tr("Estimator health"), health), *errors_, link_, this);
+  new HealthController(*health, *floating("health", tr("Estimator health"), health), *errors_, *status_,
+                       link_, this);
   auto* calibration = themed(new CalibrationPanel);
   new CalibrationController(*calibration, *floating("calibration", tr("Camera calibration"), calibration),
                             link_, this);

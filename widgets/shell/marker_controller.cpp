@@ -27,13 +27,17 @@ MarkerController::MarkerController(MarkerPanel& panel, QDockWidget& dock, Sessio
   });
   connect(&link, &SessionLink::opened, this, [this] {
     panel_.clear();
+    if (!link_.again()) chosen_.reset();
+    if (chosen_) link_.runner()->setMarker(*chosen_);
     begin();
   });
   connect(&link, &SessionLink::frames, this, [this](const tracking::StereoFrame& frame) {
     if (dock_.isVisible()) panel_.showFrames(frame);
   });
   connect(&panel, &MarkerPanel::optionsChanged, this, [this](const vision::MarkerOptions& options) {
-    if (link_.runner()) link_.runner()->setMarker(options);
+    if (!link_.runner()) return;
+    chosen_ = options;
+    link_.runner()->setMarker(options);
   });
 }
 

@@ -1,6 +1,9 @@
 #pragma once
 
 #include <QObject>
+#include <optional>
+
+#include "core/vision/marker.h"
 
 class QDockWidget;
 
@@ -11,6 +14,7 @@ class SessionBar;
 class SessionLink;
 
 /// Connects the marker panel to the running session: its images, and the limits that the pipeline uses.
+/// Limits that were chosen stay in use when the session begins again.
 class MarkerController : public QObject {
   Q_OBJECT
 
@@ -24,6 +28,7 @@ class MarkerController : public QObject {
   MarkerPanel& panel_;
   QDockWidget& dock_;
   SessionLink& link_;
+  std::optional<vision::MarkerOptions> chosen_;  ///< by the user, in this session
 };
 
 }  // namespace capstan::widgets

@@ -34,8 +34,8 @@ class MessageBar : public QFrame {
   /// The subject has succeeded since: hides the message if it is about this subject.
   void settle(const QString& about);
   QString message() const;
-  /// The subject of the message that was shown last.
-  const QString& about() const { return about_; }
+  /// The subject of the message that is shown.
+  QString about() const { return isHidden() ? QString() : about_; }
 
  private:
   void put(const QString& text, const QString& about, bool fault);

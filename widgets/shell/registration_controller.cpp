@@ -266,9 +266,9 @@ void RegistrationController::command(void (simulation::SimulatedSource::*what)()
 
 void RegistrationController::begin() {
   const tracking::SourceInfo info = link_.runner()->infoInUse();  // poses are tips by its robot's constants
-  auto current = in_use_;
-  if (!current && info.live) current = simulation::nominalBaseFromCamera(info.robot);
-  views_.panel.begin(info, current, link_.runner()->marker(), posesTaken());
+  std::optional<Eigen::Isometry3d> nominal;
+  if (info.live) nominal = simulation::nominalBaseFromCamera(info.robot);
+  views_.panel.begin(info, in_use_, nominal, link_.runner()->marker(), posesTaken());
   if (views_.panel.posesPage().elsewhere()) return;
   notePoses();
 }

@@ -25,6 +25,7 @@ ReplayController::ReplayController(ReplayBar& bar, const Views& views, SessionLi
   connect(&link, &SessionLink::opened, this,
           [this](const tracking::SourceInfo& info, const SourceChoice& choice) {
             samples_.clear();
+            newest_.reset();
             images_.reset();
             opened_.clear();
             const bool session = choice.isRecording() && choice.file.endsWith(recording::kSessionSuffix);
@@ -35,14 +36,13 @@ ReplayController::ReplayController(ReplayBar& bar, const Views& views, SessionLi
     if (file_.empty()) file_ = status.recording;
   });
   connect(&link, &SessionLink::history, this, &ReplayController::keep);
-  connect(&link, &SessionLink::snapshot, this,
-          [this](const tracking::Snapshot& snapshot) { bar_.setNewest(snapshot.t); });
+  connect(&link, &SessionLink::snapshot, this, [this](const tracking::Snapshot& snapshot) {
+    newest_ = snapshot;
+    bar_.setNewest(snapshot.t);
+  });
   connect(&views.notes, &NotesPanel::eventAdded, &bar, &ReplayBar::addEvent);
   connect(&bar, &ReplayBar::reviewed, this, &ReplayController::show);
-  connect(&bar, &ReplayBar::followed, this, [this] {
-    views_.figure.setCursor(std::nullopt);
-    views_.figure.setFollowing(true);
-  });
+  connect(&bar, &ReplayBar::followed, this, &ReplayController::showNewest);
 }
 
 bool ReplayController::reviewing() const { return bar_.reviewing(); }
@@ -50,18 +50,27 @@ bool ReplayController::reviewing() const { return bar_.reviewing(); }
 void ReplayController::keep(const std::vector<tracking::Snapshot>& snapshots) {
   for (const tracking::Snapshot& snapshot : snapshots) {
     if (!snapshot.camera_updated) continue;
-    samples_.push_back(snapshot);
-    if (samples_.size() > kMost) samples_.pop_front();
+    samples_.push(snapshot);
   }
 }
 
 void ReplayController::show(double t) {
   showPlots(t);
-  const auto later = std::ranges::lower_bound(samples_, t, {}, &tracking::Snapshot::t);
   if (samples_.empty()) return;
-  const tracking::Snapshot& seen = later == samples_.end() ? samples_.back() : *later;
+  const std::size_t later = samples_.partitionPoint([t](const auto& sample) { return sample.t < t; });
+  const tracking::Snapshot& seen = samples_[std::min(later, samples_.size() - 1)];
   views_.scene.showSnapshot(seen);
   if (seen.camera_images) showImages(seen);
+}
+
+/// Shows the newest sample at once: of a session that stands still, no other one comes.
+void ReplayController::showNewest() {
+  views_.figure.setCursor(std::nullopt);
+  views_.figure.setFollowing(true);
+  if (newest_) views_.scene.showSnapshot(*newest_);
+  const tracking::StereoFrame& frame = link_.newestFrame();
+  if (!frame.left.empty() || !frame.right.empty())
+    views_.video.showFrames(frame.left, frame.right, link_.newestSeen());
 }
 
 void ReplayController::showPlots(double t) {

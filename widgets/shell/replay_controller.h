@@ -1,12 +1,13 @@
 #pragma once
 
 #include <QObject>
-#include <deque>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "core/recording/session_images.h"
 #include "core/tracking/snapshot.h"
+#include "widgets/figures/ring.h"
 
 namespace capstan::widgets {
 
@@ -37,10 +38,11 @@ class ReplayController : public QObject {
   bool reviewing() const;
 
  private:
-  static constexpr std::size_t kMost =
-      20'000;  ///< camera samples kept for the review: 22 min at 15 pairs a second
+  /// Camera samples kept for the review: 22 min at 15 pairs a second.
+  static constexpr std::size_t kMost = 20'000;
   void keep(const std::vector<tracking::Snapshot>& snapshots);
   void show(double t);
+  void showNewest();
   void showImages(const tracking::Snapshot& seen);
   void showPlots(double t);
   recording::SessionImages* images();
@@ -48,7 +50,8 @@ class ReplayController : public QObject {
   ReplayBar& bar_;
   Views views_;
   SessionLink& link_;
-  std::deque<tracking::Snapshot> samples_;
+  Ring<tracking::Snapshot> samples_{kMost};
+  std::optional<tracking::Snapshot> newest_;
   std::string file_, opened_;  ///< file of the session's images, and the one that images_ reads
   std::unique_ptr<recording::SessionImages> images_;
 };

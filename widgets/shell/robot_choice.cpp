@@ -24,9 +24,14 @@ const robot::Description* RobotChoice::robotFor(const tracking::SourceInfo& sour
   return chosen_ && chosen_->arm == armOf(source) ? &chosen_->robot : nullptr;
 }
 
+bool RobotChoice::isOwnOf(const tracking::SourceInfo& source) const {
+  return chosen_ && robot::formatDescription(chosen_->robot) == robot::formatDescription(source.robot);
+}
+
 QString RobotChoice::words(const tracking::SourceInfo& source) const {
   const QString name = QString::fromStdString(source.robot.name);
-  return robotFor(source) ? QStringLiteral("%1, %2").arg(name, chosen_->words.word) : name;
+  const bool chosen = robotFor(source) || isOwnOf(source);
+  return chosen ? QStringLiteral("%1, %2").arg(name, chosen_->words.word) : name;
 }
 
 }  // namespace capstan::widgets

@@ -25,6 +25,9 @@ class RobotChoice {
   /// The chosen robot if it belongs to the arm of `source`, else null: the source's own is used.
   const robot::Description* robotFor(const tracking::SourceInfo& source) const;
 
+  /// Whether the source's own robot is the chosen one, as in a recording that was made with it.
+  bool isOwnOf(const tracking::SourceInfo& source) const;
+
   /// Name of the robot in use with `source`: "RAVEN-II left, identified".
   QString words(const tracking::SourceInfo& source) const;
   QString origin() const { return chosen_ ? chosen_->words.origin : QString(); }

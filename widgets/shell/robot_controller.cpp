@@ -17,7 +17,8 @@ RobotController::RobotController(SessionLink& link, StatusLine& status, NotesPan
 
 void RobotController::show(const tracking::SourceInfo& info) {
   const RobotChoice& robots = link_.robots();
-  status_.setRobot(robots.words(info), robots.robotFor(info) ? robots.summary() : QString());
+  const bool chosen = robots.robotFor(info) || robots.isOwnOf(info);
+  status_.setRobot(robots.words(info), chosen ? robots.summary() : QString());
 }
 
 void RobotController::report(const tracking::SourceInfo& info) {
@@ -26,10 +27,13 @@ void RobotController::report(const tracking::SourceInfo& info) {
     notes_.addEvent(info.begin, "robot",
                     tr("%1: stays in use; Undo under Identification restores the robot file (%2)")
                         .arg(robots.words(info), robots.summary()));
+  else if (robots.isOwnOf(info))
+    notes_.addEvent(info.begin, "robot",
+                    tr("%1, the source's own (%2)").arg(robots.words(info), robots.summary()));
   else if (robots.any())
-    notes_.addEvent(
-        info.begin, "robot",
-        tr("%1, the source's own; the robot chosen before belongs to another arm").arg(robots.words(info)));
+    notes_.addEvent(info.begin, "robot",
+                    tr("%1, the source's own; the robot chosen before belongs to another robot or truth file")
+                        .arg(robots.words(info)));
 }
 
 }  // namespace capstan::widgets

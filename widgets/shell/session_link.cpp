@@ -71,6 +71,7 @@ void SessionLink::begin(std::unique_ptr<live::Runner> runner, const std::optiona
   const bool recorded = std::exchange(reported_recording_, false) || recording();
   retire(std::move(runner_), recorded);
   runner_ = std::move(runner);
+  frame_ = {};
   listeners_.clear();
   last_state_ = live::RunState::kPaused;
   command_faults_ = 0;

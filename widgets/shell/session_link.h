@@ -37,6 +37,9 @@ class SessionLink : public QObject {
   /// The source has no more samples.
   bool ended() const { return runner_ && last_state_ == live::RunState::kEnded; }
   bool recording() const;
+  /// The newest pair of images, and the pipeline's result for it. Without images: none has come.
+  const tracking::StereoFrame& newestFrame() const { return frame_; }
+  const tracking::Snapshot& newestSeen() const { return seen_; }
   /// Whether the open session is the previous one from its beginning: both were opened by the same choice.
   bool again() const { return again_; }
   /// Makes the pipeline use `robot` from now on, and every session of the same arm (RobotChoice). Returns

@@ -119,6 +119,7 @@ TEST(RobotChange, HasTheNameOfItsParameter) {
   EXPECT_EQ((RobotChange{"drives[1].cable_damping", 1, 2, 0}.name()), "b_e2");
   EXPECT_EQ((RobotChange{"joints[1].friction.coulomb", 1, 2, 0}.name()), "f_c2");
   EXPECT_EQ((RobotChange{"drives[1].motor_inertia", 1, 2, 0}.name()), "");
+  EXPECT_EQ((RobotChange{"drives[0].link_radius", 1, 2, 0}.parameter()->unit()), "mm");
   // Every parameter changes the number that its name says.
   const auto robot = softRaven();
   const ParameterSet set(robot, "all");

@@ -34,6 +34,10 @@ TEST(LiveSetup, TopicsHaveNamesOfRos) {
 TEST(LiveSetup, OneStreamOrTopicIsNotTwo) {
   EXPECT_EQ(refusedTopic("from: 'ros:/motors', encoders: /motors"), "motors.encoders");
   EXPECT_EQ(refusedTopic("from: 'ros:/motors'", "ros:/left", "ros:/left"), "cameras.right");
+  const std::string one =
+      "title: x\nmotors: {from: '-'}\ncameras: {layout: side_by_side, calibration: rig, left: ";
+  EXPECT_EQ(refusedKey(one + "/dev/video0}\n"), "");
+  EXPECT_EQ(refusedKey(one + "''}\n"), "cameras.left");
 }
 
 TEST(LiveSetup, FieldsThatAnAddressDoesNotUseAreNamed) {

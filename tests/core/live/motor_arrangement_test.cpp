@@ -68,7 +68,7 @@ TEST(MotorArrangement, NamesAWrongOrder) {
   const std::string fault = faultOf(standingAt(kInside), setup);
   EXPECT_THAT(fault, HasSubstr("joint 1 (" + raven().joints[0].name + ") stands at −"));
   EXPECT_THAT(fault, HasSubstr("outside its limits 0.0° to 90.0°"));
-  EXPECT_THAT(fault, HasSubstr("Check motors (which motor drives which joint), signs and read_as"));
+  EXPECT_THAT(fault, HasSubstr("Check motors (which motor drives which joint), signs (-1 where"));
 }
 
 TEST(MotorArrangement, NamesAWrongSign) {

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <functional>
 #include <mutex>
 #include <thread>
@@ -64,8 +65,7 @@ class RowSideTest : public ::testing::Test {
     for (int k = first; k < last; ++k) {
       if (gone && gone(k)) continue;
       table.t.push_back(1e-3 * k);
-      const double at[] = {80.0, -90.0, -480.0};
-      for (std::size_t joint = 0; joint < 3; ++joint) table.q_m[joint].push_back(at[joint]);
+      for (std::size_t joint = 0; joint < 3; ++joint) table.q_m[joint].push_back(at_[joint]);
     }
     const std::lock_guard lock(sent_->mutex);
     sent_->rows = std::move(table);
@@ -76,6 +76,7 @@ class RowSideTest : public ::testing::Test {
     return side_->status().received == rows;
   }
 
+  std::array<double, 3> at_{80.0, -90.0, -480.0};  ///< where the motors stand [rad]
   const std::shared_ptr<Sent> sent_ = std::make_shared<Sent>();
   std::unique_ptr<SampleQueue> queue_;
   std::unique_ptr<RowSide> side_;
@@ -104,6 +105,27 @@ TEST_F(RowSideTest, ALongGapInTheTimesIsCountedAndSaid) {
   EXPECT_EQ(side_->status().gaps, 1U);
   EXPECT_THAT(watch.observe({side_->status()}),
               ::testing::ElementsAre("motors: gap of 1.0 s in the times of the rows"));
+}
+
+/// A program that sends row by row: one damaged row is no joint beyond its limits, rows that stay there are.
+TEST_F(RowSideTest, AJointIsBeyondItsLimitsWhenItStaysThere) {
+  begin(RowSide::Faults::kDisconnect);
+  send(0, 100);
+  ASSERT_TRUE(receives(100));
+  int sent = 100;
+  const auto warnedAfter = [&](double position) {
+    at_[0] = position;
+    send(sent, sent + 1);
+    EXPECT_TRUE(receives(static_cast<std::uint64_t>(++sent)));
+    std::this_thread::sleep_for(210ms);
+    return !side_->status().warning.empty();
+  };
+  EXPECT_FALSE(warnedAfter(-80.0));
+  EXPECT_FALSE(warnedAfter(80.0));
+  EXPECT_FALSE(warnedAfter(-80.0));
+  EXPECT_FALSE(warnedAfter(-80.0));
+  EXPECT_TRUE(warnedAfter(-80.0));
+  EXPECT_FALSE(warnedAfter(80.0));
 }
 
 /// Tracking is paused or slow: the sender waits, and is not silent.

@@ -1,7 +1,10 @@
 /// The last row of a connection, pipe or file.
 #include "core/live/text_rows.h"
 
+#include <fcntl.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -10,6 +13,7 @@
 #include <utility>
 
 #include "core/robot/description.h"
+#include "tests/support/temporary_folder.h"
 
 namespace capstan::live {
 namespace {
@@ -63,6 +67,23 @@ TEST(TextRows, OnlyAFileHasALastRowWithoutALineFeed) {
   EXPECT_EQ(rowsOf(::fileno(file.get())), std::pair(std::size_t{61}, std::uint64_t{0}));
   ::dup2(before, STDIN_FILENO);
   ::close(before);
+}
+
+/// A FIFO does not tell when a program opens it: the first bytes do.
+TEST(TextRows, NoLongerSaysThatNobodyConnectsWhenBytesCome) {
+  const test::TemporaryFolder folder;
+  const std::string fifo = (folder / "rows").string();
+  ASSERT_EQ(::mkfifo(fifo.c_str(), 0600), 0);
+  TextRows rows(openByteStream(parseAddress(fifo, "--live")),
+                RowParser("rows", robot::readDescriptionOrDefault({}), {}), std::chrono::milliseconds(0));
+  rows.read(std::chrono::milliseconds(1));
+  EXPECT_THAT(rows.hint(), testing::Optional(testing::HasSubstr("no program has connected")));
+  const int program = ::open(fifo.c_str(), O_WRONLY | O_NONBLOCK);
+  ASSERT_GE(program, 0);
+  ASSERT_EQ(::write(program, "t,q_m1", 6), 6);
+  for (int k = 0; k < 100 && rows.hint() != ""; ++k) rows.read(std::chrono::milliseconds(10));
+  EXPECT_EQ(rows.hint(), "");
+  ::close(program);
 }
 
 /// A program that sends to another port.

@@ -26,6 +26,17 @@ TEST(GapCounter, CountsWhatIsMissingInASteadyStream) {
   EXPECT_NEAR(gaps.lastSilence(), 2.0, 0.005);
 }
 
+/// A recording that is played again, or a clock that is set.
+TEST(GapCounter, AClockThatStepsBackTakesNothingBack) {
+  GapCounter gaps;
+  for (int k = 0; k < 500; ++k)
+    if (k != 400 && (k < 490 || k >= 495)) gaps.add(1e-3 * k);
+  EXPECT_EQ(gaps.missing(), 1U) << "the newest samples hide the other gap";
+  for (int k = 0; k < 500; ++k)
+    if (k < 100 || k >= 103) gaps.add(1e-3 * k - 7.0);
+  EXPECT_EQ(gaps.missing(), 9U);
+}
+
 /// Stamps of a steady sender that is held up for up to `most` periods, twenty times a second, and that is
 /// interrupted again while it makes up for them.
 std::uint64_t missingOf(int most, bool own_even_stamps, int lost_rows) {

@@ -75,7 +75,8 @@ TEST_F(HealthTest, NisIsNotJudgedFromAFewUpdates) {
   factor_ = Vector3d::Constant(10.0);
   run(2.0);
   EXPECT_EQ(check("nis_q1").verdict, HealthVerdict::kUnknown);
-  EXPECT_FALSE(check("nis_q1").value.empty());
+  EXPECT_TRUE(check("nis_q1").value.ends_with("; 30 of the 300 camera updates needed"))
+      << check("nis_q1").value;
   EXPECT_EQ(worstOf(checks()), HealthVerdict::kPass) << "the other checks are judged";
 }
 
@@ -87,6 +88,27 @@ TEST_F(HealthTest, NisIsJudgedByJointInBothDirections) {
   EXPECT_EQ(check("nis_q2").verdict, HealthVerdict::kCautious) << "too cautious a filter misleads nobody";
   EXPECT_NE(check("nis_q2").advice.find("Nothing is wrong"), std::string::npos) << check("nis_q2").advice;
   EXPECT_EQ(check("nis_q3").verdict, HealthVerdict::kCautious);
+}
+
+/// A camera that is pushed after ten minutes.
+TEST_F(HealthTest, NisOfTheNewestUpdatesFailsBeforeTheMeanDoes) {
+  run(600.0, [](Snapshot& s, int i) {
+    if (i > 15 * 585) s.innovation(1) *= 4.0;
+  });
+  EXPECT_LT(report_.innovations.nis()(1), HealthLimits{}.nis);
+  EXPECT_EQ(check("nis_q2").verdict, HealthVerdict::kFail);
+  EXPECT_NE(check("nis_q2").value.find(" in the newest camera updates; 1."), std::string::npos)
+      << check("nis_q2").value;
+  EXPECT_EQ(check("nis_q1").verdict, HealthVerdict::kPass);
+}
+
+TEST_F(HealthTest, TheChecksOfNisAreThoseOfTheJoints) {
+  run(60.0);
+  const auto nis = nisChecksOf(checks());
+  ASSERT_EQ(nis.size(), 3U);
+  EXPECT_EQ(nis.back().key, "nis_q3");
+  EXPECT_EQ(nis.back().value, check("nis_q3").value) << "with nothing to add once it is judged";
+  EXPECT_EQ(worstOf(nis), HealthVerdict::kPass);
 }
 
 TEST_F(HealthTest, EveryFaultIsNamedByItsOwnCheck) {

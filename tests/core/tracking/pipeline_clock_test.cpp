@@ -147,6 +147,22 @@ TEST(PipelineClock, AReadingThatNoArmCanHaveIsNotUsed) {
   EXPECT_EQ(track(jumpingAt(2.0, 9.0)).second, static_cast<std::uint64_t>(StrayReadings::kToBelieve - 1));
 }
 
+/// Where the first reading is the damaged one, those after it are right; rows may come slowly.
+TEST(PipelineClock, ADamagedFirstReadingDoesNotLoseTheEncoder) {
+  for (const double rate : {10.0, 30.0, 1000.0}) {
+    StrayReadings stray(robot::readDescriptionOrDefault({}));
+    int taken_out = 0;
+    for (int k = 0; k < 10; ++k) {
+      MotorSample sample;
+      sample.t = k / rate;
+      sample.position = {k == 0 ? 1e6 : 80.0, -90.0, -480.0};
+      taken_out += stray.takeOut(sample);
+    }
+    EXPECT_LE(taken_out / rate, 0.1) << rate << " rows/s: a longer gap is a lost encoder";
+    EXPECT_LE(taken_out, StrayReadings::kToBelieve - 1);
+  }
+}
+
 TEST(TrackReport, BegunInTheMiddleItCountsWhatFollows) {
   SimulatedSource source(simulated(simulation::matchedTruth(), 4.0, false));
   TrackingPipeline pipeline = makePipeline(source.info());

@@ -111,8 +111,8 @@ void OptionsBar::addKeys() {
 
 void OptionsBar::setTheme(const Theme& theme) {
   for (std::size_t i = 0; i < kEstimators.size(); ++i)
-    estimators_[i]->setStyleSheet(
-        QStringLiteral("QCheckBox { color: %1; }").arg(theme.colour(quantityOf(kEstimators[i])).name()));
+    estimators_[i]->setStyleSheet(QStringLiteral("QCheckBox { color: %1; }")
+                                      .arg(theme.inkOf(theme.colour(quantityOf(kEstimators[i]))).name()));
 }
 
 analysis::AnalysisOptions OptionsBar::options() const {

@@ -59,7 +59,7 @@ void ToleranceEdit::check() {
   }
   words_->setText(error_.isEmpty() ? tr("joint motion, RMS") : error_);
   QPalette palette = words_->palette();
-  palette.setColor(QPalette::WindowText, error_.isEmpty() ? theme_.muted : theme_.fault);
+  palette.setColor(QPalette::WindowText, error_.isEmpty() ? theme_.muted : theme_.inkOf(theme_.fault));
   words_->setPalette(palette);
 }
 

@@ -33,7 +33,9 @@ QString startOf(const tracking::TrackReport& report) {
 }
 
 QString noteOf(const tracking::TrackReport& report) {
-  if (report.own_kinematics) return ErrorsPanel::tr("own kinematics, no truth");
+  if (report.own_kinematics)
+    return report.errors.ukf().count() > 0 ? ErrorsPanel::tr("own kinematics, no truth")
+                                           : ErrorsPanel::tr("no joint encoders");
   const QString start = startOf(report);
   return start.isEmpty() ? ErrorsPanel::tr("%1 samples").arg(samplesOf(report))
                          : ErrorsPanel::tr("%1 since %2").arg(samplesOf(report), start);
@@ -137,7 +139,7 @@ void ErrorsPanel::setTheme(const Theme& theme) {
     widget->setPalette(palette);
   };
   for (std::size_t column = 0; column < 3; ++column) {
-    paint(heads_[column], theme.colour(kColumns[column]));
+    paint(heads_[column], theme.inkOf(theme.colour(kColumns[column])));
     for (auto& row : cells_) paint(row[column], theme.text);
   }
   for (auto* label : quiet_) paint(label, theme.muted);

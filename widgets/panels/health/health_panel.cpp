@@ -3,6 +3,7 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "widgets/panels/health/health_text.h"
 #include "widgets/panels/health/nis_plot.h"
@@ -53,7 +54,12 @@ void HealthPanel::setTheme(const Theme& theme) {
 void HealthPanel::showHealth(const std::vector<HealthCheck>& checks, const tracking::InnovationRecord& nis) {
   checks_ = checks;
   const HealthVerdict verdict = tracking::worstOf(checks);
-  headline_->setText(checks.empty() ? tr("Nothing has been tracked yet") : verdictText(verdict));
+  const auto unknown = std::ranges::count(checks, HealthVerdict::kUnknown, &HealthCheck::verdict);
+  headline_->setText(
+      checks.empty() ? tr("Nothing has been tracked yet")
+      : unknown == 0
+          ? verdictText(verdict)
+          : tr("%1 · %2 of %3 checks unknown").arg(verdictText(verdict)).arg(unknown).arg(checks.size()));
   paintHeadline();
   setRows(checks.size());
   for (std::size_t i = 0; i < checks.size(); ++i) showRow(rows_[i], checks[i]);

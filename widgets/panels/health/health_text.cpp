@@ -16,9 +16,9 @@ QColor verdictColour(HealthVerdict verdict, const Theme& theme) {
     case HealthVerdict::kPass:
       return theme.text;
     case HealthVerdict::kCautious:
-      return theme.warning;
+      return theme.inkOf(theme.warning);
     case HealthVerdict::kFail:
-      return theme.fault;
+      return theme.inkOf(theme.fault);
     case HealthVerdict::kUnknown:
       break;
   }

@@ -10,8 +10,10 @@
 
 namespace capstan::widgets {
 
-/// Changes as "r_l1  drives[0].link_radius\n  0.063095 → 0.059021  −6.46 %".
-QString changesText(const std::vector<identification::RobotChange>& changes);
+/// Changes as "r_l1  drives[0].link_radius\n  63.095 → 59.021 ±0.020 mm, −6.46 %". `estimates`: the σ of the
+/// values; without them no σ is shown.
+QString changesText(const std::vector<identification::RobotChange>& changes,
+                    const std::vector<identification::Estimate>& estimates);
 /// Table of the model's errors, camera minus model, before and after: a line per joint, in degrees or
 /// millimetres.
 QString errorsText(const identification::ModelError& error, const robot::Description& robot);

@@ -7,8 +7,6 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSaveFile>
-#include <QScrollArea>
-#include <QShortcut>
 #include <QStackedWidget>
 #include <utility>
 
@@ -26,9 +24,7 @@ using identification::LivePhase;
 namespace {
 constexpr int kPoll = 200;          ///< [ms]
 constexpr int kRoomForTrace = 330;  ///< height of the panel below which the table needs it all [px]
-constexpr int kLeastTrace = 96;     ///< [px]
-constexpr int kAdviceLines = 2;
-constexpr int kLeastPage = 88, kLeastTable = 56;  ///< least heights with which the buttons stay visible [px]
+constexpr int kLeastPage = 88, kLeastTable = 112;  ///< least heights of the pages [px]
 
 QString text(const std::string& words) { return QString::fromStdString(words); }
 
@@ -38,23 +34,7 @@ IdentificationPanel::IdentificationPanel(QWidget* parent) : QWidget(parent) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(10, 6, 10, 8);
   column->setSpacing(6);
-  words_ = new QLabel;
-  words_->setWordWrap(true);
-  words_->setAccessibleName(tr("state of the identification"));
-  words_->setMinimumHeight(kAdviceLines * words_->fontMetrics().lineSpacing());
-  column->addWidget(words_);
-  addPages(column);
-  advice_ = new QLabel;
-  advice_->setWordWrap(true);
-  advice_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-  advice_->setFont(textFont(9.5));
-  advice_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  advice_->setMinimumHeight(kAdviceLines * QFontMetrics(advice_->font()).lineSpacing());
-  auto* row = new QHBoxLayout;  // the proposed motion takes the place of the advice
-  row->setSpacing(6);
-  row->addWidget(advice_, 1);
-  row->addWidget(offer_ = new MotionOffer, 1);
-  column->addLayout(row);
+  column->addWidget(makeBody(), 1);
   progress_ = new QProgressBar;
   progress_->setMaximumHeight(14);
   progress_->setTextVisible(false);
@@ -86,91 +66,6 @@ IdentificationPanel::IdentificationPanel(QWidget* parent) : QWidget(parent) {
 }
 
 IdentificationPanel::~IdentificationPanel() = default;
-
-void IdentificationPanel::addPages(QVBoxLayout* column) {
-  pages_ = new QStackedWidget;
-  choice_ = new ParameterChoice;
-  results_ = new QWidget;
-  auto* results = new QVBoxLayout(results_);
-  results->setContentsMargins(0, 0, 0, 0);
-  results->setSpacing(6);
-  table_ = new ParameterTable;
-  trace_ = new TracePlot;
-  trace_->setMinimumHeight(kLeastTrace);
-  results->addWidget(table_);
-  results->addWidget(trace_, 1);
-  changes_ = new QPlainTextEdit;
-  changes_->setReadOnly(true);
-  changes_->setFrameShape(QFrame::NoFrame);
-  changes_->setFont(numberFont(9.5));
-  changes_->setLineWrapMode(QPlainTextEdit::NoWrap);
-  changes_->setMinimumHeight(60);
-  changes_->setAccessibleName(tr("differences of the robot in use from the robot file"));
-  auto* rolled = new QScrollArea;  // a low window does not show every check box
-  rolled->setFrameShape(QFrame::NoFrame);
-  rolled->setWidgetResizable(true);
-  rolled->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  rolled->setMinimumHeight(60);
-  rolled->setWidget(choice_);
-  for (QWidget* ground : {rolled->viewport(), static_cast<QWidget*>(choice_)})
-    ground->setAutoFillBackground(false);  // the panel's own shows
-  for (QWidget* page : {static_cast<QWidget*>(rolled), results_, static_cast<QWidget*>(changes_)})
-    pages_->addWidget(page);
-  pages_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored);
-  column->addWidget(pages_, 1);
-}
-
-QPushButton* IdentificationPanel::button(const QString& name, const QString& tip,
-                                         void (IdentificationPanel::*pressed)()) {
-  auto* made = new QPushButton;
-  made->setObjectName(name);
-  made->setToolTip(tip);
-  made->setFocusPolicy(Qt::TabFocus);
-  made->setStyleSheet("padding: 4px 6px;");
-  connect(made, &QPushButton::clicked, this, pressed);
-  return made;
-}
-
-void IdentificationPanel::addButtons(QVBoxLayout* column) {
-  auto* row = new QHBoxLayout;
-  row->setSpacing(4);
-  start_ =
-      button("start", tr("Collect from the running session, or stop (I)"), &IdentificationPanel::startOrStop);
-  refine_ = button("refine", tr("Stop, and refine on all collected data by the batch method (Shift+I)"),
-                   &IdentificationPanel::refine);
-  discard_ = button("discard", tr("Delete the estimates; the robot in use stays (Ctrl+Backspace)"),
-                    &IdentificationPanel::discard);
-  accept_ = button("accept", tr("The filter uses these values from now on; errors restart (Ctrl+Return)"),
-                   &IdentificationPanel::accept);
-  save_ = button("save", tr("Save the robot in use as a robot file (Ctrl+S)"), &IdentificationPanel::askFile);
-  revert_ = button("revert", tr("Back to the values of the robot file; errors restart"),
-                   &IdentificationPanel::revert);
-  discard_->setText(tr("Discard"));
-  accept_->setText(tr("Accept"));
-  save_->setText(tr("Save…"));
-  revert_->setText(tr("Undo"));
-  for (auto* one : {start_, refine_, revert_}) row->addWidget(one);
-  row->addStretch(1);
-  for (auto* one : {discard_, accept_, save_}) row->addWidget(one);
-  column->addLayout(row);
-}
-
-/// A key acts as its button: only while the button is shown and enabled.
-void IdentificationPanel::addKeys() {
-  const auto key = [this](const char* sequence, QPushButton* pressed) {
-    auto* shortcut = new QShortcut(QKeySequence(sequence), this);
-    shortcut->setAutoRepeat(false);
-    connect(shortcut, &QShortcut::activated, pressed, [pressed] {
-      if (pressed->isVisible()) pressed->click();
-    });
-  };
-  key("I", start_);
-  key("Shift+I", refine_);
-  key("Ctrl+Backspace", discard_);
-  key("Ctrl+Return", accept_);
-  key("Ctrl+S", save_);
-  key("Shift+M", &offer_->button());
-}
 
 void IdentificationPanel::setTheme(const Theme& theme) {
   theme_ = theme;
@@ -328,7 +223,7 @@ void IdentificationPanel::refresh() {
   pages_->setCurrentIndex(results ? 1 : accepted ? 2 : 0);
   pages_->setMinimumHeight(results ? kLeastTable : kLeastPage);
   if (accepted) {
-    QString changed = changesText(live_.changes());
+    QString changed = changesText(live_.changes(), live_.shown().estimates);
     if (live_.error()) changed = errorsText(*live_.error(), in_use_) + "\n\n" + changed;
     if (changed != changes_->toPlainText()) changes_->setPlainText(changed);
   }

@@ -71,6 +71,7 @@ class IdentificationPanel : public QWidget {
 
  private:
   QPushButton* button(const QString& name, const QString& tip, void (IdentificationPanel::*pressed)());
+  QWidget* makeBody();
   void addPages(QVBoxLayout* column);
   void addButtons(QVBoxLayout* column);
   void addKeys();

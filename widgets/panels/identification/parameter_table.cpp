@@ -3,13 +3,14 @@
 #include <QHeaderView>
 #include <QPainter>
 #include <QStyledItemDelegate>
+#include <algorithm>
 
 namespace capstan::widgets {
 
 namespace {
 
-enum Column { kName, kValue, kSigma, kChange, kColumns };
-constexpr double kPoints = 10.0;
+enum Column { kName, kEstimate, kChange, kColumns };
+constexpr double kPoints = 8.5;  ///< value ± σ with its unit is whole in the window's narrowest column
 constexpr int kRowHeight = 21, kBar = 3;  // [px]
 
 /// Item delegate that reserves room for the bar.
@@ -39,9 +40,9 @@ ParameterTable::ParameterTable(QWidget* parent) : QTreeWidget(parent) {
   setAccessibleName(tr("identified parameters"));
   header()->setMinimumSectionSize(10);
   header()->setStretchLastSection(false);
-  for (const int column : {kName, kValue, kChange})
+  for (const int column : {kName, kChange})
     header()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
-  header()->setSectionResizeMode(kSigma, QHeaderView::Stretch);
+  header()->setSectionResizeMode(kEstimate, QHeaderView::Stretch);
   connect(this, &QTreeWidget::currentItemChanged, this, [this] { Q_EMIT chosenChanged(); });
   setTheme(theme_);
 }
@@ -54,15 +55,24 @@ void ParameterTable::setTheme(const Theme& theme) {
   viewport()->update();
 }
 
+/// Value ± σ and unit; the signs ± of all rows stand below each other.
+QString ParameterTable::estimateText(const identification::LiveRow& row) const {
+  if (row.sigma.empty()) return shown(row.value);
+  qsizetype widest = 0;
+  for (const auto& one : rows_)
+    if (!one.sigma.empty()) widest = std::max<qsizetype>(widest, shown(one.value).size());
+  return shown(row.value).rightJustified(static_cast<int>(widest)) + QLatin1Char(' ') +
+         shown(row.sigma + " " + row.unit);
+}
+
 void ParameterTable::fill(QTreeWidgetItem& item, const identification::LiveRow& row) const {
   const QString texts[] = {(row.settled ? tr("✓ ") : QStringLiteral("  ")) + shown(row.name),
-                           shown(row.value), shown(row.sigma + " " + row.unit).trimmed(), shown(row.change)};
+                           estimateText(row), shown(row.change)};
   for (int column = 0; column < kColumns; ++column) {
     item.setText(column, texts[column]);
-    item.setFont(column, numberFont(kPoints, column == kValue && row.seen));
-    item.setForeground(column, column == kValue && row.seen ? theme_.text : theme_.muted);
-    item.setTextAlignment(
-        column, (column == kValue || column == kChange ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignTop);
+    item.setFont(column, numberFont(kPoints));
+    item.setForeground(column, column == kEstimate && row.seen ? theme_.text : theme_.muted);
+    item.setTextAlignment(column, (column == kChange ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignTop);
     item.setToolTip(column, shown(row.words));
   }
   item.setForeground(kName, theme_.text);

@@ -33,6 +33,7 @@ class ParameterTable : public QTreeWidget {
                const QModelIndex& index) const override;
 
  private:
+  QString estimateText(const identification::LiveRow& row) const;
   void fill(QTreeWidgetItem& item, const identification::LiveRow& row) const;
 
   Theme theme_ = Theme::dark();

@@ -194,7 +194,7 @@ void MarkerPanel::pick(int side, const QPoint& pixel) {
   const auto picked = vision::pickMarker(frame, {pixel.x(), pixel.y()});
   if (!picked) {
     const auto reason = base::nameOf(picked.error());
-    return say(tr("%1 (%2, %3). %4")
+    return say(tr("%1, at %2, %3 px. %4")
                    .arg(QString::fromUtf8(reason.data(), static_cast<int>(reason.size())))
                    .arg(pixel.x())
                    .arg(pixel.y())

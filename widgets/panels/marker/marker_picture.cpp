@@ -85,7 +85,7 @@ void MarkerPicture::paintEvent(QPaintEvent*) {
                 .arg(marker_.radius, 0, 'f', 1)
                 .arg(marker_.sigma, 0, 'f', 2);
   }
-  painter.setPen(marker_.found() ? theme_.muted : theme_.warning);
+  painter.setPen(marker_.found() ? theme_.muted : theme_.inkOf(theme_.warning));
   painter.drawText(
       QRectF(where.left(), where.bottom() + 2, std::max<double>(where.width(), width() - where.left()), line),
       Qt::AlignLeft | Qt::AlignVCenter, words);

@@ -151,7 +151,7 @@ void CameraStrip::refresh() {
     labels_[i]->setText(lineOf(check));
     labels_[i]->setToolTip(shown(check.remedy));
     restyle(*labels_[i], QString("color: %1; font-weight: %2;")
-                             .arg((fails                                 ? theme_.warning
+                             .arg((fails                                 ? theme_.inkOf(theme_.warning)
                                    : check.state == CheckState::kUnknown ? theme_.muted
                                                                          : theme_.text)
                                       .name(),

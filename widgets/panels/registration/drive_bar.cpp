@@ -88,8 +88,7 @@ void DriveBar::refresh() {
   state_->setText(driveText(status_));
   const bool loud = status_.state == DriveState::kMoving || status_.state == DriveState::kStopped;
   const QColor colour = loud ? theme_.fault : armed ? theme_.warning : theme_.muted;
-  restyle(*state_, QStringLiteral("color:%1;")
-                       .arg((theme_.isDark() ? colour : colour.darker(armed || loud ? 150 : 100)).name()));
+  restyle(*state_, QStringLiteral("color:%1;").arg(theme_.inkOf(colour).name()));
 }
 
 }  // namespace capstan::widgets

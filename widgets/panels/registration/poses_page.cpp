@@ -28,6 +28,7 @@ QTableWidgetItem* numberItem(const QString& text) {
 }
 
 constexpr int kTableShare = 3, kTextShare = 2;     ///< of the height that is left for both
+constexpr int kCheckLines = 4;                     ///< of the longest result of a check, in a narrow dock
 constexpr int kLeastTable = 90, kLeastTexts = 60;  ///< [px]
 
 /// Texts of the button that collects: without poses, with poses, while it collects.
@@ -118,7 +119,7 @@ void PosesPage::showEvent(QShowEvent* event) {
   }
   collect_->setText(now);
   collect_->setMinimumWidth(widest);
-  closures_->setFixedHeight(2 * closures_->fontMetrics().lineSpacing());
+  closures_->setFixedHeight(kCheckLines * closures_->fontMetrics().lineSpacing());
 }
 
 void PosesPage::makeTable() {

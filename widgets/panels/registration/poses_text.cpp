@@ -61,7 +61,9 @@ QString closureText(const PoseCollector& collector, const std::optional<Eigen::I
   const auto& checks = collector.checks();
   if (collector.checking())
     return QObject::tr("Move the arm: %1 of %2 poses").arg(checks.size()).arg(PoseCollector::kChecks);
-  if (checks.empty() || !(collector.fit() || current))
+  if (!collector.fit() && !current)
+    return QObject::tr("No registration is in use, and there is no fit yet: nothing to check");
+  if (checks.empty())
     return QObject::tr("Compares the %1 with three poses that are not in it")
         .arg(collector.fit() ? QObject::tr("fit") : QObject::tr("registration in use"));
   const auto closures = collector.fit() ? registration::closuresOf(*collector.fit(), checks)

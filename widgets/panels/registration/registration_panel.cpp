@@ -98,6 +98,7 @@ QWidget* RegistrationPanel::makeHardStop() {
     const auto pose = guide_->proposal()->registration.base_from_camera;
     const auto entry =
         registration::entryOf(registration::Decision::kAccepted, *guide_->proposal(), guide_->scatter());
+    registered_ = true;
     finish("The new registration is in use.");
     Q_EMIT accepted(pose, result_->summary());
     Q_EMIT decided(entry);
@@ -108,7 +109,8 @@ QWidget* RegistrationPanel::makeHardStop() {
         registration::entryOf(registration::Decision::kRejected, *guide_->proposal(), guide_->scatter());
     entry.reason = reason.toStdString();
     guide_->reject(reason.toStdString());
-    finish("Rejected: " + reason + ".\nThe registration in use stays.");
+    finish("Rejected: " + reason +
+           (registered_ ? ".\nThe registration in use stays." : ".\nNo registration is in use."));
     Q_EMIT rejected(reason);
     Q_EMIT decided(entry);
   });
@@ -127,14 +129,16 @@ void RegistrationPanel::setTheme(const Theme& theme) {
 }
 
 void RegistrationPanel::begin(const tracking::SourceInfo& source,
-                              const std::optional<Eigen::Isometry3d>& current,
+                              const std::optional<Eigen::Isometry3d>& in_use,
+                              const std::optional<Eigen::Isometry3d>& nominal,
                               const vision::MarkerOptions& marker, const QString& poses_taken) {
   guide_ = std::make_unique<registration::RegistrationGuide>(source.robot, source.rig);
-  guide_->start(current);
+  guide_->start(in_use ? in_use : nominal);
+  registered_ = in_use.has_value();
   cameras_->begin(source.rig, marker);
   stop_->setDrivable(source.live);
   result_->setRig(source.robot, source.rig);
-  poses_->begin(source.robot, current, poses_taken);
+  poses_->begin(source.robot, in_use, poses_taken);
   history_->setRobot(source.robot);
   close_->setText("Cancel");
   shown_ = RegistrationStep::kIdle;

@@ -39,10 +39,12 @@ class RegistrationPanel : public QWidget {
   ~RegistrationPanel() override;
 
   void setTheme(const Theme& theme);
-  /// Starts again for a source. `current`: the registration in use, or else the nominal mounting of the
-  /// cameras; its rotation is assumed to be known. `poses_taken`: as PosesPage::begin().
-  void begin(const tracking::SourceInfo& source, const std::optional<Eigen::Isometry3d>& current,
-             const vision::MarkerOptions& marker = {}, const QString& poses_taken = {});
+  /// Starts again for a source. `in_use`: the registration in use; without one, the guide assumes that the
+  /// rotation of `nominal`, the nominal mounting of the cameras, is known. `poses_taken`: as
+  /// PosesPage::begin().
+  void begin(const tracking::SourceInfo& source, const std::optional<Eigen::Isometry3d>& in_use,
+             const std::optional<Eigen::Isometry3d>& nominal = {}, const vision::MarkerOptions& marker = {},
+             const QString& poses_taken = {});
   /// Ends the guide and the collection of poses; collected poses stay.
   void leave();
   void showSnapshot(const tracking::Snapshot& snapshot);
@@ -82,6 +84,7 @@ class RegistrationPanel : public QWidget {
 
   Theme theme_ = Theme::dark();
   std::unique_ptr<registration::RegistrationGuide> guide_;
+  bool registered_ = false;  ///< a registration is in use
   registration::RegistrationStep shown_ = registration::RegistrationStep::kIdle;
   int points_shown_ = -1;
   CameraStrip* cameras_;

@@ -4,9 +4,9 @@
 #include <QLabel>
 #include <QMenu>
 #include <QToolButton>
+#include <algorithm>
 #include <cmath>
 
-#include "core/estimation/nis_verdict.h"
 #include "core/tracking/side_text.h"
 #include "widgets/panels/status/elided_label.h"
 
@@ -17,6 +17,8 @@ namespace {
 using live::RunState;
 using recording::RecorderState;
 using tracking::Gate;
+using tracking::HealthCheck;
+using tracking::HealthVerdict;
 
 constexpr double kBehind = 0.9;        ///< below this share of the requested speed a warning is shown
 constexpr qint64 kDiskPeriod = 10000;  ///< period of checking the disk [ms]
@@ -24,6 +26,14 @@ constexpr qint64 kDiskPeriod = 10000;  ///< period of checking the disk [ms]
 constexpr double kSoonFull = 300.0;  ///< warning if the reserve is reached in less time [s]
 
 QString sizeText(std::uint64_t bytes) { return QString::fromStdString(recording::sizeText(bytes)); }
+
+/// "NIS of shoulder 5.50 FAIL", as the panel of the estimator's health has it.
+QString textOf(const HealthCheck& check) {
+  const auto verdict = base::nameOf(check.verdict);
+  return QStringLiteral("%1 %2 %3")
+      .arg(QString::fromStdString(check.name), QString::fromStdString(check.value),
+           QString::fromUtf8(verdict.data(), static_cast<int>(verdict.size())));
+}
 
 QString minutesText(double seconds) {
   const double minutes = seconds / 60.0;
@@ -78,12 +88,6 @@ StatusLine::StatusLine(QWidget* parent) : QWidget(parent) {
   remedies_->setPopupMode(QToolButton::InstantPopup);
   remedies_->hide();
   row->addStretch(1);
-  labels_[kNis]->setToolTip(tr(
-      "Normalised innovation squared over its degrees of freedom. Pass: inside the 95 % χ² band. Cautious: "
-      "below it, the camera agrees with the filter more closely than the filter expects. FAIL, too high: "
-      "above "
-      "it, the filter errs by more than it states, as with a wrong parameter of the robot file or cameras "
-      "that were moved"));
   labels_[kMotors]->setToolTip(tr("An encoder that failed: its joint is estimated from the cameras alone"));
   labels_[kLag]->setToolTip(tr("From exposure to arrival of the newest camera sample"));
   labels_[kRescues]->setToolTip(tr("Cholesky down-dates that fell back to a safe path"));
@@ -127,10 +131,9 @@ void StatusLine::set(Part part, const QString& text, Tone tone) {
   QPalette palette = label->palette();
   const QColor colour = tone == Tone::kPlain     ? theme_.text
                         : tone == Tone::kGood    ? theme_.text
-                        : tone == Tone::kWarning ? theme_.warning
-                                                 : theme_.fault;
-  palette.setColor(QPalette::WindowText,
-                   theme_.isDark() ? colour : colour.darker(tone == Tone::kPlain ? 100 : 150));
+                        : tone == Tone::kWarning ? theme_.inkOf(theme_.warning)
+                                                 : theme_.inkOf(theme_.fault);
+  palette.setColor(QPalette::WindowText, colour);
   label->setPalette(palette);
   QFont font = label->font();
   font.setBold(tone == Tone::kWarning || tone == Tone::kFault);
@@ -191,7 +194,7 @@ void StatusLine::showSnapshot(const tracking::Snapshot& snapshot) {
   else
     set(kGate, tr("gate shut: %1").arg(reason), cameras ? Tone::kWarning : Tone::kPlain);
   showMotors(snapshot);
-  showNis(snapshot);
+  showTransmission(snapshot);
   QString troubles = QStringLiteral("rescues %1").arg(static_cast<qulonglong>(snapshot.rescues));
   if (snapshot.motor_refused > 0)
     troubles += tr(", %1 motor samples refused").arg(static_cast<qulonglong>(snapshot.motor_refused));
@@ -201,11 +204,7 @@ void StatusLine::showSnapshot(const tracking::Snapshot& snapshot) {
       snapshot.rescues + snapshot.motor_refused + snapshot.motor_stray > 0 ? Tone::kWarning : Tone::kPlain);
 }
 
-void StatusLine::showNis(const tracking::Snapshot& snapshot) {
-  using estimation::NisVerdict;
-  const bool known = std::isfinite(snapshot.nis_mean);
-  const NisVerdict verdict = estimation::judgeNis(snapshot.nis_mean, snapshot.nis_consistent);
-  const bool failed = known && verdict == NisVerdict::kTooHigh;
+void StatusLine::showTransmission(const tracking::Snapshot& snapshot) {
   const std::string carried = tracking::shortTextOf(snapshot.transmission);
   set(kTransmission, QString::fromStdString(carried), Tone::kWarning);
   QStringList explained;
@@ -214,13 +213,33 @@ void StatusLine::showNis(const tracking::Snapshot& snapshot) {
   for (const std::string& remedy : tracking::remediesOf(snapshot.transmission, delay_field_))
     explained << QString::fromStdString(remedy);
   labels_[kTransmission]->setToolTip(explained.join(QLatin1Char('\n')));
-  remedies_->setVisible((failed || !carried.empty()) && remedies_->menu());
-  if (!known) return set(kNis, {});
-  const QString words = QString::fromStdString(std::string(base::nameOf(verdict)));
-  set(kNis, QStringLiteral("NIS %1 %2").arg(snapshot.nis_mean, 0, 'f', 2).arg(words),
-      failed                         ? Tone::kFault
-      : verdict == NisVerdict::kPass ? Tone::kGood
-                                     : Tone::kPlain);
+  offerRemedies();
+}
+
+void StatusLine::showHealth(const std::vector<HealthCheck>& checks) {
+  const std::vector<HealthCheck> nis = tracking::nisChecksOf(checks);
+  const HealthVerdict verdict = tracking::worstOf(nis);
+  if (nis.empty())
+    set(kNis, {});
+  else if (verdict == HealthVerdict::kUnknown)
+    set(kNis, tr("NIS not judged yet"));
+  else
+    set(kNis, textOf(*std::ranges::max_element(nis, {}, &HealthCheck::verdict)),
+        verdict == HealthVerdict::kFail       ? Tone::kFault
+        : verdict == HealthVerdict::kCautious ? Tone::kPlain
+                                              : Tone::kGood);
+  QStringList explained = {
+      tr("Normalised innovation squared of every joint, since the errors count; 1 where σ "
+         "is right (Estimator health, Ctrl+7)")};
+  for (const HealthCheck& check : nis)
+    explained << (textOf(check) + QLatin1Char(' ') + QString::fromStdString(check.advice)).trimmed();
+  labels_[kNis]->setToolTip(explained.join(QLatin1Char('\n')));
+  offerRemedies();
+}
+
+void StatusLine::offerRemedies() {
+  const bool wrong = tones_[kNis] == Tone::kFault || !labels_[kTransmission]->text().isEmpty();
+  remedies_->setVisible(wrong && remedies_->menu());
 }
 
 void StatusLine::showMotors(const tracking::Snapshot& snapshot) {

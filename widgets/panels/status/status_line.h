@@ -4,9 +4,11 @@
 #include <QWidget>
 #include <array>
 #include <optional>
+#include <vector>
 
 #include "core/live/runner.h"
 #include "core/recording/disk_space.h"
+#include "core/tracking/health.h"
 #include "core/tracking/snapshot.h"
 #include "core/tracking/transmission_text.h"
 #include "widgets/figures/theme.h"
@@ -27,6 +29,8 @@ class StatusLine : public QWidget {
 
   void setTheme(const Theme& theme);
   void showSnapshot(const tracking::Snapshot& snapshot);
+  /// Shows the NIS of the joint with the worst verdict, as the panel of the estimator's health judges it.
+  void showHealth(const std::vector<tracking::HealthCheck>& checks);
   void showStatus(const live::RunStatus& status, double recorded_seconds);
   void clear();
   /// Sets the robot that the filter uses; `changes`: its differences from the robot file.
@@ -36,7 +40,7 @@ class StatusLine : public QWidget {
   /// Sets the state of commands to the real robot; empty: it cannot be commanded. `loud`: they are armed, or
   /// were stopped.
   void setCommands(const QString& words, bool loud);
-  /// Sets the actions of a button beside the NIS. It is shown while the NIS is too high or the filter
+  /// Sets the actions of a button beside the NIS. It is shown while the NIS fails or the filter
   /// estimates a transmission error.
   void setRemedies(const QList<QAction*>& remedies);
   /// Sets the folder of recordings, whose disk space is shown.
@@ -72,7 +76,8 @@ class StatusLine : public QWidget {
   };
   enum class Tone { kPlain, kGood, kWarning, kFault };
   void showSides(const std::vector<tracking::SideStatus>& sides);
-  void showNis(const tracking::Snapshot& snapshot);
+  void showTransmission(const tracking::Snapshot& snapshot);
+  void offerRemedies();
   void showMotors(const tracking::Snapshot& snapshot);
   void showRecorder(const recording::RecorderStats& recorder, double recorded_seconds);
   void showOcclusion(const live::RunStatus& status);
