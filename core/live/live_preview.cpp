@@ -35,6 +35,7 @@ void LivePreview::notingFaults(Work&& work) {
 
 void LivePreview::work() {
   notingFaults([&] {
+    checkMotors(setup_.motors);
     LiveSetup without = setup_;
     without.cameras.reset(), without.commands.reset();
     std::unique_ptr<LiveSource> motors = LiveSource::forPreview(without);

@@ -220,8 +220,10 @@ LiveSetup resolvedFrom(LiveSetup setup, const std::filesystem::path& folder) {
   beside(cameras.registration);
   beside(cameras.marker);
   // A video file, and no address or device, if it is there.
-  for (std::string* stream : {&cameras.left, &cameras.right})
-    if (std::filesystem::is_regular_file(folder / *stream)) beside(*stream);
+  for (std::string* stream : {&cameras.left, &cameras.right}) {
+    std::error_code none;  // an address may be no path at all
+    if (std::filesystem::is_regular_file(folder / *stream, none)) beside(*stream);
+  }
   return setup;
 }
 

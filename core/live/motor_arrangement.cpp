@@ -66,6 +66,13 @@ bool MotorArrangement::check(const recording::MeasuredTable& rows) const {
   return true;
 }
 
+bool MotorArrangement::checkUnits(const recording::MeasuredTable& rows) const {
+  const Vector3d q = jointOf(rows, Vector3d::Ones());
+  if (!q.array().isFinite().any()) return false;
+  checkDegrees(rows, q);
+  return true;
+}
+
 /// Joint positions of the median motor positions, each times the factor of its column.
 Vector3d MotorArrangement::jointOf(const recording::MeasuredTable& rows, const Vector3d& factor) const {
   tracking::MotorSample sample;

@@ -25,6 +25,8 @@ class MotorArrangement {
   /// The margin has room for cable stretch (up to about 2°) and for the arm at its limit; an offset of the
   /// homing beyond it is as wrong as an exchanged motor.
   bool check(const recording::MeasuredTable& rows) const;
+  /// The same for rows in radians that are read as degrees alone.
+  bool checkUnits(const recording::MeasuredTable& rows) const;
   /// Sentence about the joints that stand outside the same bounds by these rows; empty: none.
   std::string beyondLimits(const recording::MeasuredTable& rows) const;
 

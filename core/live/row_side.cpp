@@ -171,7 +171,8 @@ void RowSide::watchLimits(const recording::MeasuredTable& table) {
 
 void RowSide::pass(recording::MeasuredTable table) {
   recording::checkForTracking(table, robot_);
-  if (!motors_judged_) motors_judged_ = faults_ == Faults::kShow || arrangement_.check(table);
+  if (!motors_judged_)
+    motors_judged_ = faults_ == Faults::kShow ? arrangement_.checkUnits(table) : arrangement_.check(table);
   if (!std::exchange(noticed_, true)) notice(table);
   watchLimits(table);
   input_->confirm();

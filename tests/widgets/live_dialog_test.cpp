@@ -275,10 +275,14 @@ TEST_F(LiveDialogTest, PreviewShowsMotorsThatCountTheOtherWayAndFollowsTheForm) 
       << textOf("preview_motor_1").toStdString() << textOf("preview_sides").toStdString();
   EXPECT_FALSE(textOf("preview_sides").contains("has left its limits"));
   of<QSpinBox>("motor_1").setValue(2);
-  EXPECT_TRUE(waitFor([&] { return textOf("message").contains("motors.motors"); })) << "motor 2 twice";
+  EXPECT_TRUE(waitFor([&] { return textOf("preview_sides").contains("motors.motors"); }))
+      << "motor 2 twice: " << textOf("preview_sides").toStdString();
   of<QSpinBox>("motor_1").setValue(1);
   EXPECT_TRUE(waitFor([&] { return textOf("preview_motor_1").contains("motor at 4583.66°"); }));
-  EXPECT_EQ(textOf("message"), "");
+  of<QLineEdit>("title").setText("another name");
+  QTest::qWait(1500);
+  EXPECT_TRUE(textOf("preview_motor_1").contains("motor at 4583.66°")) << "a title changes nothing in it";
+  EXPECT_TRUE(textOf("preview_sides").contains("1 connection;")) << textOf("preview_sides").toStdString();
   quit = true;
   robot.join();
 }

@@ -163,6 +163,10 @@ TEST_F(PosesPageTest, WithoutARegistrationNoneIsSaidToBeInUse) {
   page_.begin(robot_, {});
   EXPECT_FALSE(says("the registration in use"));
   EXPECT_TRUE(says("No registration is in use"));
+  page_.setCurrent(Eigen::Isometry3d::Identity());  // accepted at the hard stop
+  EXPECT_TRUE(says("Compares the registration in use"));
+  EXPECT_TRUE(button("Check at three more poses")->isEnabled());
+  page_.begin(robot_, {});
   button("Collect poses")->click();
   visit(8);
   EXPECT_TRUE(says("Compares the fit"));

@@ -177,6 +177,8 @@ TEST(StatusLine, NisIsThatOfTheEstimatorsHealth) {
     }
   line.showHealth({{"nis_q1", "NIS of shoulder", HealthVerdict::kUnknown, "0.11"}});
   EXPECT_TRUE(line.text().contains("NIS not judged yet")) << line.text().toStdString();
+  line.showHealth({{"nis_q1", "NIS of shoulder", HealthVerdict::kUnknown, ""}});
+  EXPECT_FALSE(line.text().contains("NIS")) << "a robot without cameras: " << line.text().toStdString();
 }
 
 TEST(StatusLine, OffersTheRemediesOnlyWhileTheVerdictFails) {

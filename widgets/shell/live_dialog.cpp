@@ -28,6 +28,15 @@ constexpr const char* kAddress = "tcp://127.0.0.1:5555";
 constexpr double kPerSecond = 1e3;  // ms
 constexpr int kRest = 500;          // ms; a form that stays so long is not being filled in
 
+/// Without the fields that change nothing in a preview.
+live::LiveSetup previewedPartOf(live::LiveSetup setup) {
+  setup.title.clear(), setup.commands.reset();
+  if (!setup.cameras) return setup;
+  setup.cameras->calibration.clear(), setup.cameras->registration.clear(), setup.cameras->marker.clear();
+  setup.cameras->latency = 0.0;
+  return setup;
+}
+
 }  // namespace
 
 LiveDialog::LiveDialog(QWidget* parent) : QDialog(parent) {
@@ -329,16 +338,17 @@ void LiveDialog::togglePreview(bool on) {
 }
 
 void LiveDialog::beginPreview() {
-  previewed_ = seen_ = besideFile();
+  message_->clear();
+  const live::LiveSetup now = besideFile();
+  previewed_ = seen_ = previewedPartOf(now);
   preview_->stop();
-  if (!showingFaults([&] { live::checkMotors(previewed_.motors); })) return;
   if (previewed_.motors.from == "-")
     return message_->setText(tr("Standard input cannot be previewed: its rows are read once."));
-  preview_->start(previewed_);
+  preview_->start(now);
 }
 
 void LiveDialog::followForm() {
-  const live::LiveSetup now = besideFile();
+  const live::LiveSetup now = previewedPartOf(besideFile());
   if (now == seen_ && now != previewed_) beginPreview();
   seen_ = now;
 }

@@ -127,7 +127,7 @@ void RegistrationController::use(const Eigen::Isometry3d& base_from_camera, cons
   if (link_.runner()) link_.runner()->setRegistration(base_from_camera);
   const bool other = !in_use_ || !in_use_->isApprox(base_from_camera);
   in_use_ = accepted_ = base_from_camera;
-  views_.panel.historyPage().setCurrent(in_use_);
+  views_.panel.setInUse(base_from_camera);
   views_.scene.setRegistration(base_from_camera);
   views_.notes.addEvent(now_, "registration", how + (other ? tr(", errors restarted") : QString()));
 }

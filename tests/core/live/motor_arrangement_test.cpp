@@ -90,6 +90,17 @@ TEST(MotorArrangement, NamesRadiansThatAreReadAsDegrees) {
   EXPECT_EQ(faultOf(table, {}), "") << "the same numbers in radians are an arm beside its hard stop";
 }
 
+/// What a preview checks: positions outside the limits are there to be seen.
+TEST(MotorArrangement, UnitsAreCheckedWithoutTheLimits) {
+  RowsSetup setup;
+  setup.signs = {1.0, -1.0, 1.0};
+  EXPECT_TRUE(MotorArrangement(setup, raven(), {}).checkUnits(standingAt(kInside)));
+  recording::MeasuredTable table = standingAt(kInside);
+  readAsDegrees(table);
+  const MotorArrangement degrees({}, raven(), recording::parseReadAs("q_m=deg", "read_as"));
+  EXPECT_THROW(degrees.checkUnits(table), base::InputError);
+}
+
 TEST(MotorArrangement, DegreesThatAreReadAsSuchPass) {
   recording::MeasuredTable table = standingAt(kInside);
   for (auto& column : table.q_m)

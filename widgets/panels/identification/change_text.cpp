@@ -2,6 +2,7 @@
 
 #include <QObject>
 #include <QStringList>
+#include <cmath>
 
 #include "core/identification/estimate_text.h"
 #include "core/identification/live_text.h"
@@ -20,8 +21,12 @@ QString valuesText(const identification::RobotChange& change,
   const auto number = [scale](double value) { return QString::number(scale * value, 'g', 5); };
   QString after = number(change.identified);
   for (const identification::Estimate& estimate : estimates)
-    if (parameter && estimate.seen && estimate.parameter.name() == parameter->name()) {
-      const auto row = identification::rowOf(estimate, nullptr, change.percent);
+    if (parameter && parameter->nominal > 0.0 && estimate.seen &&
+        estimate.parameter.name() == parameter->name()) {
+      identification::Estimate shown = estimate;  // in the unit of the value before
+      shown.log += std::log(estimate.parameter.nominal / parameter->nominal);
+      shown.parameter.nominal = parameter->nominal;
+      const auto row = identification::rowOf(shown, nullptr, change.percent);
       after = QString::fromStdString(row.value + " " + row.sigma);
     }
   const QString unit = parameter ? QString::fromStdString(identification::unitOf(*parameter)) : QString();

@@ -226,6 +226,11 @@ void PosesPage::begin(const robot::Description& robot, const std::optional<Eigen
   refresh();
 }
 
+void PosesPage::setCurrent(const Eigen::Isometry3d& base_from_camera) {
+  current_ = base_from_camera;
+  if (collector_) refresh();
+}
+
 void PosesPage::setRobot(const robot::Description& robot) {
   if (!collector_ || elsewhere()) return;  // poses of elsewhere stay those of their robot
   collector_->setRobot(robot);

@@ -34,6 +34,8 @@ class PosesPage : public QWidget {
   /// them, and drops those that are not unsaved(). Empty: new poses join them.
   void begin(const robot::Description& robot, const std::optional<Eigen::Isometry3d>& current,
              const QString& taken = {});
+  /// Sets the registration in use.
+  void setCurrent(const Eigen::Isometry3d& base_from_camera);
   /// Fits the poses again for other constants of the robot.
   void setRobot(const robot::Description& robot);
   void showSnapshot(const tracking::Snapshot& snapshot);

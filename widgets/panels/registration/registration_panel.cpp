@@ -128,6 +128,12 @@ void RegistrationPanel::setTheme(const Theme& theme) {
   history_->setTheme(theme);
 }
 
+void RegistrationPanel::setInUse(const Eigen::Isometry3d& base_from_camera) {
+  registered_ = true;
+  poses_->setCurrent(base_from_camera);
+  history_->setCurrent(base_from_camera);
+}
+
 void RegistrationPanel::begin(const tracking::SourceInfo& source,
                               const std::optional<Eigen::Isometry3d>& in_use,
                               const std::optional<Eigen::Isometry3d>& nominal,

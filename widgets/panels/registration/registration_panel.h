@@ -45,6 +45,8 @@ class RegistrationPanel : public QWidget {
   void begin(const tracking::SourceInfo& source, const std::optional<Eigen::Isometry3d>& in_use,
              const std::optional<Eigen::Isometry3d>& nominal = {}, const vision::MarkerOptions& marker = {},
              const QString& poses_taken = {});
+  /// Says which registration is in use now.
+  void setInUse(const Eigen::Isometry3d& base_from_camera);
   /// Ends the guide and the collection of poses; collected poses stay.
   void leave();
   void showSnapshot(const tracking::Snapshot& snapshot);

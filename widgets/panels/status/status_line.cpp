@@ -219,7 +219,8 @@ void StatusLine::showTransmission(const tracking::Snapshot& snapshot) {
 void StatusLine::showHealth(const std::vector<HealthCheck>& checks) {
   const std::vector<HealthCheck> nis = tracking::nisChecksOf(checks);
   const HealthVerdict verdict = tracking::worstOf(nis);
-  if (nis.empty())
+  const bool measured = std::ranges::any_of(nis, [](const auto& check) { return !check.value.empty(); });
+  if (!measured)
     set(kNis, {});
   else if (verdict == HealthVerdict::kUnknown)
     set(kNis, tr("NIS not judged yet"));
