@@ -38,6 +38,18 @@ class LiveDialogTest : public Shell {
   /// A port that was free a moment ago.
   static std::string freePort() { return std::to_string(live::ImageServer("127.0.0.1", 0).port()); }
 
+  /// Sends a row, with a new connection where there is none: the preview may have begun again.
+  static void sendRow(std::unique_ptr<live::TcpSender>& sender, const std::string& to, const QString& row) {
+    try {
+      if (!sender) {
+        sender = std::make_unique<live::TcpSender>(live::parseAddress(to, "from"));
+        sender->send("t,q_m1,q_m2,q_m3\n");
+      }
+      if (!sender->send(row.toStdString())) sender.reset();
+    } catch (const base::InputError&) {  // it does not listen yet
+    }
+  }
+
   static live::LiveSetup everyField() {
     live::LiveSetup setup{
         .title = "our robot", .robot = {}, .motors = {}, .cameras = live::CamerasSetup{}, .commands = {}};
@@ -122,14 +134,7 @@ TEST_F(LiveDialogTest, PreviewsImagesAndMotorsThatMove) {
       const int noise = k % 40;  // without it the cameras are frozen
       cameras.publish({480, 640, CV_8UC3, cv::Scalar(noise, 0, 200)},
                       {480, 640, CV_8UC3, cv::Scalar(200, 0, noise)});
-      try {
-        if (!sender) {
-          sender = std::make_unique<live::TcpSender>(live::parseAddress(setup.motors.from, "from"));
-          sender->send("t,q_m1,q_m2,q_m3\n");
-        }
-        sender->send(QString("%1,0.5,%2,0.1\n").arg(k * 0.01).arg(std::sin(k * 0.05)).toStdString());
-      } catch (const base::InputError&) {  // it does not listen yet
-      }
+      sendRow(sender, setup.motors.from, QString("%1,0.5,%2,0.1\n").arg(k * 0.01).arg(std::sin(k * 0.05)));
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
   });
@@ -253,15 +258,7 @@ TEST_F(LiveDialogTest, PreviewShowsMotorsThatCountTheOtherWayAndFollowsTheForm) 
   std::thread robot([&] {
     std::unique_ptr<live::TcpSender> sender;
     for (int k = 0; !quit; ++k) {
-      try {
-        if (!sender) {
-          sender = std::make_unique<live::TcpSender>(live::parseAddress(setup.motors.from, "from"));
-          sender->send("t,q_m1,q_m2,q_m3\n");
-        }
-        // False: the preview has begun again.
-        if (!sender->send(QString("%1,80,-90,-480\n").arg(k * 0.01).toStdString())) sender.reset();
-      } catch (const base::InputError&) {  // it does not listen yet
-      }
+      sendRow(sender, setup.motors.from, QString("%1,80,-90,-480\n").arg(k * 0.01));
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
   });
