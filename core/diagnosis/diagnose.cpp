@@ -246,7 +246,7 @@ Report diagnose(const std::vector<Evidence>& recordings, const robot::Descriptio
   judge(data, selection, nominal, report);
   if (options.show && report.verdict == Verdict::kUnexplained) assembly.addProcess(progress);
   clock.lap("judge");
-  if (options.show && (report.verdict == Verdict::kTie || report.verdict == Verdict::kUnexplained)) {
+  if (options.show && (!report.ties.empty() || report.verdict == Verdict::kUnexplained)) {
     report.next =
         nextExperiment(data, recordings, selection, nominal, options.zeros, options.threads, progress);
     clock.lap("next experiment");

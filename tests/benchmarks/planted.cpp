@@ -1,7 +1,7 @@
 // planted --effect backlash --joint 2 --size 0.5 --seed 7 --out rec.csv: a recording of a robot with a
 // planted fault as a measured table; --truth writes what was planted. What is not requested is drawn from the
 // seed. planted --case "one backlash cables 500000008 varied" --nominal robot.yaml --out rec.csv: a case of
-// diagnosis_study with its robot file.
+// diagnosis_study with its robot file; --worn writes the robot after wear.
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <cstdio>
@@ -10,7 +10,7 @@
 
 #include "core/base/error.h"
 #include "core/base/resource.h"
-#include "tests/support/planted_study/study_cases.h"
+#include "tests/support/planted_study/run_case.h"
 
 namespace {
 
@@ -18,7 +18,7 @@ using namespace capstan;
 
 struct Wanted {
   std::uint64_t seed = 1;
-  std::string effect, out, truth, robot, study_case, nominal;
+  std::string effect, out, truth, robot, study_case, nominal, worn;
   int joint = -1, effects = 1;
   double size = -1.0, duration = 0.0;
   bool rigid = false, textured = false, plain = false, no_cameras = false, no_encoders = false, list = false;
@@ -62,6 +62,13 @@ nlohmann::json jsonOf(const test::Truth& truth, std::uint64_t seed) {
   return json;
 }
 
+study::RecordedCase recorded(const Wanted& wanted) {
+  if (!wanted.study_case.empty()) return study::recordCase(study::caseNamed(wanted.study_case));
+  const test::PlantedCase drawn = test::draw(wanted.seed, optionsOf(wanted));
+  auto [recording, truth] = test::recordWithTruth(drawn);
+  return {drawn, std::move(recording), std::move(truth)};
+}
+
 void write(const std::string& path, const std::string& text) {
   std::ofstream out(path, std::ios::binary);
   out << text;
@@ -85,6 +92,7 @@ int main(int argc, char** argv) {
   app.add_option("--case", wanted.study_case,
                  "name of a case of diagnosis_study; replaces all other options of it");
   app.add_option("--nominal", wanted.nominal, "robot file to write, before wear and effects");
+  app.add_option("--worn", wanted.worn, "robot file to write, after wear, without effects");
   app.add_option("--out", wanted.out, "CSV file to write");
   app.add_option("--truth", wanted.truth, "JSON file of what was planted; unset: standard output");
   app.add_flag("--rigid", wanted.rigid, "motor torque drives the joints, no cables");
@@ -100,13 +108,11 @@ int main(int argc, char** argv) {
         std::printf("%.*s\n", static_cast<int>(facts.name.size()), facts.name.data());
     if (wanted.list) return 0;
     const auto begin = std::chrono::steady_clock::now();
-    const test::PlantedCase drawn = wanted.study_case.empty()
-                                        ? test::draw(wanted.seed, optionsOf(wanted))
-                                        : study::planned(study::caseNamed(wanted.study_case));
-    const auto [recording, truth] = test::recordWithTruth(drawn);
+    const auto [drawn, recording, truth] = recorded(wanted);
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
     if (!wanted.out.empty()) write(wanted.out, recording::formatMeasuredTable(recording.table));
     if (!wanted.nominal.empty()) write(wanted.nominal, robot::formatDescription(recording.robot));
+    if (!wanted.worn.empty()) write(wanted.worn, robot::formatDescription(truth.robot));
     nlohmann::json json = jsonOf(truth, drawn.seed);
     const std::string text = json.dump() + "\n";
     if (wanted.truth.empty())

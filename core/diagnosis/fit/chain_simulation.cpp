@@ -239,12 +239,6 @@ robot::ChainState<double> ChainSimulation::initialState(const robot::ChainModel&
   return state;
 }
 
-void ChainSimulation::simulateShaken(const Robot& robot, base::Random& random,
-                                     Eigen::Ref<Eigen::MatrixXd> readings) const {
-  const SimulationInputs shaken = shakenInputs(evidence_, inputs_, random);
-  simulate(shaken.rows(evidence_.t), {&robot, 1}, readings);
-}
-
 std::size_t ChainSimulation::outputsOf(const Window& window) const {
   return (window.end - window.begin - 1) / static_cast<std::size_t>(stride_) + 1;
 }

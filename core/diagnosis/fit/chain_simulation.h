@@ -77,9 +77,13 @@ class ChainSimulation {
     simulate(rows_, robots, readings);
   }
 
-  /// Simulates one robot with random noise on its inputs, of the size of the sensors' noise
-  /// (shakenInputs()).
-  void simulateShaken(const Robot& robot, base::Random& random, Eigen::Ref<Eigen::MatrixXd> readings) const;
+  /// Inputs of simulate().
+  const SimulationInputs& inputs() const { return inputs_; }
+  /// Simulates one robot with other inputs.
+  void simulateWith(const SimulationInputs& inputs, const Robot& robot,
+                    Eigen::Ref<Eigen::MatrixXd> readings) const {
+    simulate(inputs.rows(evidence_.t), {&robot, 1}, readings);
+  }
 
   /// Simulates one robot through whole segments, without restarts at windows, on all rows.
   SimulatedMotion motion(const robot::ChainModel& model) const;

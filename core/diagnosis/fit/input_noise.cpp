@@ -7,7 +7,11 @@
 
 namespace capstan::diagnosis {
 
-Eigen::VectorXd inputNoise(const FitData& data, const Fit& at, const Weighting& weighting) {
+namespace {
+
+/// RMS change per channel by inputs that `noisy` draws (evidence, inputs, random).
+template <class Noisy>
+Eigen::VectorXd changeBy(const FitData& data, const Fit& at, const Weighting& weighting, Noisy&& noisy) {
   const robot::ChainModel robot = at.model.chain(at.u);
   Eigen::MatrixXd change(data.size(), kInputDraws);
   base::parallelFor(kInputDraws, data.threads(), [&](std::size_t draw) {
@@ -15,7 +19,8 @@ Eigen::VectorXd inputNoise(const FitData& data, const Fit& at, const Weighting& 
       const ChainSimulation& simulation = data.simulation(r);
       base::Random random(static_cast<std::uint64_t>(draw), fmt::format("input noise of recording {}", r));
       Eigen::MatrixXd shaken(simulation.compared().measured.size(), 1);
-      simulation.simulateShaken({&robot, &at.initial[static_cast<std::size_t>(r)]}, random, shaken);
+      simulation.simulateWith(noisy(simulation.evidence(), simulation.inputs(), random),
+                              {&robot, &at.initial[static_cast<std::size_t>(r)]}, shaken);
       change.col(static_cast<Eigen::Index>(draw)).segment(data.first(r), shaken.rows()) = shaken;
     }
   });
@@ -29,6 +34,17 @@ Eigen::VectorXd inputNoise(const FitData& data, const Fit& at, const Weighting& 
   }
   const Eigen::VectorXd rms = squares.cwiseQuotient(count.cwiseMax(1.0)).cwiseSqrt();
   return rms.allFinite() ? rms : Eigen::VectorXd::Zero(channels);
+}
+
+}  // namespace
+
+Eigen::VectorXd inputNoise(const FitData& data, const Fit& at, const Weighting& weighting) {
+  return changeBy(data, at, weighting, shakenInputs);
+}
+
+Eigen::VectorXd torqueNoise(const FitData& data, const Fit& at, const Weighting& weighting) {
+  if (!data.rigid()) return Eigen::VectorXd::Zero(static_cast<Eigen::Index>(data.channels().size()));
+  return changeBy(data, at, weighting, withTorqueNoise);
 }
 
 }  // namespace capstan::diagnosis

@@ -67,4 +67,13 @@ SimulationInputs shakenInputs(const Evidence& evidence, const SimulationInputs& 
   return shaken;
 }
 
+SimulationInputs withTorqueNoise(const Evidence& evidence, const SimulationInputs& inputs,
+                                 base::Random& random) {
+  SimulationInputs noisy = inputs;
+  if (evidence.drive == DriveKind::kCable) return noisy;
+  for (std::size_t j = 0; j < noisy.drive.size(); ++j)
+    for (double& x : noisy.drive[j]) x += random.normal(0.0, noiseOf(evidence.noise.tau_m, j).floor());
+  return noisy;
+}
+
 }  // namespace capstan::diagnosis

@@ -127,8 +127,8 @@ std::vector<Hypothesis> cableHypotheses() {
               },
           .neutral = {0.0},
           .grid =
-              [](const JointScales& s, int) {
-                return usable({{{0.0}, {1.0 / (s.stretch * s.stretch)}}});
+              [](const JointScales& s, int) {  // JointScales::stretch is that of one pose
+                return usable({{{0.0}, {10.0 / (s.stretch * s.stretch)}}});
               },
       },
       {

@@ -55,6 +55,7 @@ std::vector<Hypothesis> frictionHypotheses() {
           .neutral = {0.0, 1.0},
           .grid = stribeckFrictionStarts,
           .background = [](const JointScales&) { return 0.06; },
+          .least = {0.0},
       },
       {
           .facts = &factsOf("asymmetric_friction"),

@@ -16,10 +16,10 @@ namespace capstan::diagnosis {
 
 /// Result of a diagnosis in one word.
 enum class Verdict {
-  kFound,        ///< one cause
-  kSeveral,      ///< more than one cause
-  kTie,          ///< the recording cannot distinguish two or more explanations
-  kNothing,      ///< no material effect
+  kFound,    ///< one cause
+  kSeveral,  ///< more than one cause; any but the first can be one of a tie
+  kTie,      ///< the recording cannot distinguish two or more explanations of what the first cause explains
+  kNothing,  ///< no material effect
   kUnexplained,  ///< a material residual that no hypothesis explains
 };
 
@@ -186,7 +186,7 @@ struct Report {
   std::vector<ResidualProcess> processes;  ///< processes of channels with an unexplained residual
   std::vector<SpectralLine> lines;
   std::vector<FilterGain> filter;      ///< empty: not requested, or no joint encoders
-  std::optional<NextExperiment> next;  ///< only for a tie or an unexplained residual of a cable drive
+  std::optional<NextExperiment> next;  ///< only for ties and unexplained residuals of cable drives
   double explained = 0.0;  ///< share of the refitted residual beyond noise that the causes explain
   robot::Description refitted, extended;  ///< refitted robot, and the same with all effects
   std::vector<Stage> stages;

@@ -15,6 +15,9 @@ constexpr double kPeak = 3.0;  // largest displacement, in tolerances of the RMS
 /// frame, and some hundred frames average to a tenth of it.
 constexpr double kOfCameras = 10.0;
 
+/// Displacement of a joint, in tolerances, that rounding alone causes: cameras move no joint.
+constexpr double kRounding = 1e-6;
+
 /// RMS and largest magnitude of numbers that are given one by one.
 class Sum {
  public:
@@ -130,13 +133,16 @@ std::vector<Displacements> displacementsByRefit(const FitData& data, const Fit& 
 }
 
 bool isMaterial(const Displacements& moves, const Tolerance& tolerance) {
-  const auto beyond = [&](const Displacement& moved) {
-    const double most = moved.slides ? tolerance.length : tolerance.angle;
-    return moved.rms > most || moved.largest > kPeak * most;
+  const auto toleranceOf = [&](const Displacement& moved) {
+    return moved.slides ? tolerance.length : tolerance.angle;
   };
-  const bool joints =
-      std::ranges::any_of(moves.joints, [](const Displacement& moved) { return moved.largest > 0.0; });
-  if (joints) return std::ranges::any_of(moves.joints, beyond);
+  const auto beyond = [&](const Displacement& moved) {
+    return moved.rms > toleranceOf(moved) || moved.largest > kPeak * toleranceOf(moved);
+  };
+  const auto moves_it = [&](const Displacement& moved) {
+    return moved.largest > kRounding * toleranceOf(moved);
+  };
+  if (std::ranges::any_of(moves.joints, moves_it)) return std::ranges::any_of(moves.joints, beyond);
   return moves.tip.rms > kOfCameras * tolerance.length ||
          moves.tip.largest > kPeak * kOfCameras * tolerance.length;
 }

@@ -56,12 +56,4 @@ SetOf<Effect> withoutEffect(SetOf<Effect> set, const std::type_identity_t<Effect
   return set;
 }
 
-/// True if the two sets differ by the exchange of exactly one effect for another.
-template <class Effect>
-bool differByExchange(const SetOf<Effect>& a, const SetOf<Effect>& b) {
-  SetOf<Effect> shared;
-  std::ranges::set_intersection(a, b, std::back_inserter(shared));
-  return a.size() == b.size() && shared.size() + 1 == a.size();
-}
-
 }  // namespace capstan::diagnosis

@@ -39,7 +39,7 @@ template <class Effect>
 struct CompetitorsOf {
   Effect selected;
   std::vector<Effect> others;
-  /// Relative probabilities: of the selected set, then of the set with each of `others`.
+  /// Relative probabilities: of the selected effect, then of each of `others`, in models with one of the two.
   std::vector<double> probabilities;
 };
 
@@ -60,8 +60,8 @@ inline constexpr int kDraws = 400;  ///< number of block bootstraps
 /// Smallest ratio of the probability of a reported set to that of the best set (Occam's window, Madigan and
 /// Raftery 1994).
 inline constexpr double kOccam = 1e-3;
-/// Smallest share p / (p + p_selected) of the probability at which a set that differs from the selected one
-/// by one exchange makes a tie.
+/// Smallest share of the probability of models with exactly one of two effects at which the one that is not
+/// selected makes a tie.
 inline constexpr double kTie = 0.2;
 /// An effect is not selected if the probability of the set without it is at least this multiple of that of
 /// the most probable set: at odds of less than 2 to 1 the recordings do not decide.
@@ -194,26 +194,61 @@ std::vector<UncertainOf<Effect>> uncertainOf(const SetOf<Effect>& most_probable,
   return uncertain;
 }
 
+/// Probabilities of models with exactly one of two effects.
+struct Exchange {
+  double selected = 0.0, other = 0.0;  ///< of all models with it and without the other
+  /// Of the models with `other` that remain in the posterior with `selected` in its place, and become less
+  /// probable without either.
+  double replaces = 0.0;
+  /// Whether the recordings do not decide between the two, whatever else the model has.
+  bool isTie() const { return replaces >= kTie * (selected + other); }
+};
+
+template <class Effect>
+Exchange exchangeOf(const Posterior<Effect>& posterior, const Effect& selected, const Effect& other) {
+  Exchange exchange;
+  for (std::size_t k = 0; k < posterior.models().size(); ++k) {
+    const SetOf<Effect>& effects = posterior.models()[k].effects;
+    const double p = posterior.probability(k);
+    if (contains(effects, selected) == contains(effects, other)) continue;
+    if (contains(effects, selected)) {
+      exchange.selected += p;
+      continue;
+    }
+    exchange.other += p;
+    const SetOf<Effect> neither = minus(effects, other);
+    if (posterior.of(plus(neither, selected)) > 0.0 && posterior.of(neither) < p) exchange.replaces += p;
+  }
+  return exchange;
+}
+
 /// Effects with competitors, in the order of `effects`, those of the set `selected`.
 template <class Effect>
 std::vector<CompetitorsOf<Effect>> competitorsOf(const SetOf<Effect>& selected,
                                                  const std::vector<SelectedOf<Effect>>& effects,
                                                  const Posterior<Effect>& posterior) {
+  SetOf<Effect> others;
+  for (const CandidateModel<Effect>& model : posterior.models())
+    for (const Effect& effect : model.effects)
+      if (!contains(selected, effect)) others = plus(std::move(others), effect);
   std::vector<CompetitorsOf<Effect>> all;
-  const double own = posterior.of(selected);
   for (const SelectedOf<Effect>& one : effects) {
-    CompetitorsOf<Effect> competing{one.effect, {}, {own}};
-    for (std::size_t k = 0; k < posterior.models().size(); ++k) {
-      const SetOf<Effect>& other = posterior.models()[k].effects;
-      const double p = posterior.probability(k);
-      if (!differByExchange(selected, other) || contains(other, one.effect) || p < kTie * (p + own)) continue;
-      for (const Effect& effect : other)
-        if (!contains(selected, effect)) competing.others.push_back(effect);
-      competing.probabilities.push_back(p);
+    double own = 0.0;
+    std::vector<std::pair<double, Effect>> exchanges;
+    for (const Effect& other : others) {
+      const Exchange exchange = exchangeOf(posterior, one.effect, other);
+      if (!exchange.isTie()) continue;
+      own = std::max(own, exchange.selected);
+      exchanges.emplace_back(exchange.other, other);
     }
+    if (exchanges.empty()) continue;
+    std::ranges::stable_sort(exchanges, std::greater<>(), &std::pair<double, Effect>::first);
+    CompetitorsOf<Effect> competing{one.effect, {}, {own}};
+    for (const auto& [p, other] : exchanges)
+      competing.others.push_back(other), competing.probabilities.push_back(p);
     const double sum = std::accumulate(competing.probabilities.begin(), competing.probabilities.end(), 0.0);
     for (double& p : competing.probabilities) p /= sum;
-    if (!competing.others.empty()) all.push_back(std::move(competing));
+    all.push_back(std::move(competing));
   }
   return all;
 }

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <set>
 
@@ -12,6 +11,7 @@
 #include "core/diagnosis/selection/optimism.h"
 #include "core/diagnosis/selection/search_progress.h"
 #include "core/diagnosis/selection/set_prior.h"
+#include "core/diagnosis/selection/tested_candidates.h"
 
 namespace capstan::diagnosis {
 namespace {
@@ -28,8 +28,9 @@ constexpr double kWindow =
     7.0;  // [nats], odds of 1000: a set that is further below the best one is not expanded
 constexpr double kContend = 3.0;  // the same, odds of 20: further below, its posterior is of no interest
 constexpr double kFar = 2.0;      // RMS of a residual over that of the noise: more is far from an explanation
-constexpr double kWorthMuch = 100.0;  // loss after a short fit [nats] that no fit to the end makes up
-constexpr double kRestart = 0.5;      // gain of another start [nats] for which the search goes on
+constexpr double kWorthMuch = 100.0;    // loss after a short fit [nats] that no fit to the end makes up
+constexpr std::size_t kOtherForms = 2;  // short fits of other forms that are fitted to the end
+constexpr double kRestart = 0.5;        // gain of another start [nats] for which the search goes on
 
 bool cancelled(const base::Progress* progress) { return progress && progress->cancelled(); }
 
@@ -56,7 +57,7 @@ class Search {
     keep(std::move(base));
     if (start) tryStart(*start);
     while (!cancelled(progress_) &&
-           (expandBeam() || expandNeighbours() || settleContenders() || restartBest())) {
+           (restartBest() || expandBeam() || expandNeighbours() || settleContenders())) {
     }
     finish();
     return std::move(found_);
@@ -258,8 +259,10 @@ class Search {
       report(fmt::format("Refitting with {}", promising.front().hypothesis->words.title));
     std::vector<SetFit> trials = bestOfEach(fitter_.extended(parent, promising));
     if (cancelled(progress_)) return;
-    if (effects.empty() || effects == found_.best) note(parent, tests, trials);
-    settleBest(std::move(trials), effects, settled);
+    if (effects.empty() || effects == found_.best)
+      for (Candidate& candidate : testedCandidates(parent, tests, trials, ++round_, *score_))
+        found_.tested.push_back(std::move(candidate));
+    settleBest(std::move(trials), parent, promising, settled);
     if (!effects.empty() && effects != found_.best) SetFitter::thin(at(effects));
   }
 
@@ -302,17 +305,32 @@ class Search {
     return most >= std::max(least, cost);
   }
 
+  /// Gain of a trial that its score tests predict, priors included [nats].
+  double predictedGain(const SetFit& parent, const EffectSet& with,
+                       const std::vector<ScoreTest>& tests) const {
+    double most = 0.0;
+    for (const ScoreTest& test : tests)
+      if (plus(parent.effects, {test.hypothesis, test.joint}) == with)
+        most = std::max(most, score_->mostGain(parent.squares, test.share) / kBeyondTest + test.prior);
+    return most;
+  }
+
   /// Fits to the end the best trials that are better than the set which they extend; far from an explanation
-  /// the best ones in any case.
-  void settleBest(std::vector<SetFit> trials, const EffectSet& extended, std::size_t most) {
+  /// the best ones in any case. Trials that gain much less than their score tests predict are fitted from the
+  /// nominal parameters: the parent's may have moved so far in place of the effect that no fit returns.
+  void settleBest(std::vector<SetFit> trials, const SetFit& parent, const std::vector<ScoreTest>& tests,
+                  std::size_t most) {
     if (trials.empty()) return;
     sortByFit(trials);
-    const double before = fittedValue(at(extended)), best = fittedValue(trials.front()) - before;
-    const bool far = isFar(at(extended));
+    const double before = fittedValue(parent), best = fittedValue(trials.front()) - before;
+    const bool far = isFar(parent);
     std::vector<SetFit> hopeful, others;
     for (SetFit& trial : trials) {
       const double gain = fittedValue(trial) - before;
+      const double predicted = predictedGain(parent, trial.effects, tests);
       const bool better = gain > 0.0 && gain >= kHopeful * best;
+      if (gain < kHopeful * predicted && predicted >= std::max(best, kContend))
+        hopeful.push_back(SetFitter::fromNominal(trial));
       (hopeful.size() < most && (far || better) ? hopeful : others).push_back(std::move(trial));
     }
     keepThin(std::move(others));
@@ -321,42 +339,24 @@ class Search {
     keepThin(fitter_.settled(std::move(hopeful)));
   }
 
-  /// Fits the best set from the nominal parameters, too. True: that has changed the best set or its fit.
+  /// Fits the best set from the nominal parameters and from other forms of its effects, too, before sets with
+  /// more effects make up for a fit in a wrong minimum. True: that has changed the best set or its fit.
   bool restartBest() {
     const EffectSet effects = found_.best;
     if (effects.empty() || restarted_.contains(effects) || ends()) return false;
     restarted_.insert(effects);
-    begin("Refitting from the nominal parameters");
+    begin("Refitting from other starts");
     fitter_.relinearise(at(effects));
     const double before = value(effects);
-    keep(fitter_.settled(SetFitter::fromNominal(at(effects))));
+    std::vector<SetFit> starts{SetFitter::fromNominal(at(effects))};
+    std::vector<SetFit> others = fitter_.fromOtherForms(at(effects));
+    sortByFit(others);
+    for (std::size_t k = 0; k < std::min(others.size(), kOtherForms); ++k)
+      starts.push_back(std::move(others[k]));
+    for (SetFit& set : fitter_.settled(std::move(starts))) keep(std::move(set));
     if (!(value(effects) > before + kRestart)) return found_.best != effects;
     expanded_.erase(effects);
     return true;
-  }
-
-  void note(const SetFit& parent, const std::vector<ScoreTest>& tests, const std::vector<SetFit>& trials) {
-    ++round_;
-    std::set<EffectSet> noted;
-    for (const ScoreTest& test : tests) {
-      const EffectSet with = plus(parent.effects, {test.hypothesis, test.joint});
-      if (!noted.insert(with).second) continue;  // another form of it
-      Candidate candidate{.effect = std::string(test.hypothesis->name()),
-                          .joint = test.joint,
-                          .round = round_,
-                          .screened = test.share,
-                          .refitted = false,
-                          .reduction = std::numeric_limits<double>::quiet_NaN(),
-                          .score = std::numeric_limits<double>::quiet_NaN(),
-                          .probability = 0.0};
-      for (const SetFit& trial : trials) {
-        if (trial.effects != with || trial.fitted.sum.size() == 0) continue;
-        candidate.refitted = true;
-        candidate.reduction = largestReduction(parent.fitted, trial.fitted).share;
-        candidate.score = score_->of(trial.fitted) - score_->of(parent.fitted);
-      }
-      found_.tested.push_back(std::move(candidate));
-    }
   }
 
   void finish() {

@@ -39,12 +39,12 @@ inline constexpr double kMostWork = 2e9;
 /// Best-first search over sets of effects. Sets are ordered by PredictiveScore plus logPrior(). The expansion
 /// of a set tests every hypothesis on every joint with score tests and adds the most likely ones in short
 /// refits; the best of these new sets are fitted until convergence. A set is not expanded if its residuals
-/// exceed the sensors' noise by less than one more effect costs. The search expands the kBeam best sets (more
+/// exceed the sensors' noise by less than one more effect costs. A new best set is first fitted from the
+/// nominal parameters and from other forms of its effects, too. The search expands the kBeam best sets (more
 /// while residuals are far above the noise), until all of these are expanded. Then it expands the neighbours
 /// of the best set: the sets with one effect less (exchange of one effect) and with two effects less (one
-/// effect replaces two). At last it fits the best set from the nominal parameters, too. The search ends when
-/// none of these leads to a better set, or after kMostWork. `start`: a model whose effects are tried at the
-/// beginning; null: none.
+/// effect replaces two). The search ends when none of these leads to a better set, or after kMostWork.
+/// `start`: a model whose effects are tried at the beginning; null: none.
 SearchResult searchSets(const FitData& data, const std::vector<Evidence>& recordings, const FitModel& nominal,
                         const Fit* start, const SearchOptions& options, base::Progress* progress);
 

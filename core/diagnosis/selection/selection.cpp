@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/diagnosis/fit/input_noise.h"
 #include "core/diagnosis/selection/optimism.h"
 #include "core/diagnosis/selection/search_progress.h"
 #include "core/diagnosis/selection/set_prior.h"
@@ -80,6 +81,7 @@ Selection select(const FitData& data, const std::vector<Evidence>& recordings, c
   Selection s{.base = base.fit,
               .base_squares = base.squares,
               .input_noise = found.input_noise,
+              .torque_noise = torqueNoise(data, best.fit, best.weighting),
               .best = best.fit,
               .best_squares = best.squares,
               .weighting = best.weighting,

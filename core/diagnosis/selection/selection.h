@@ -25,8 +25,9 @@ struct ProbableSet {
 struct Selection {
   Fit base;  ///< fit of the nominal robot without effects
   BlockSquares base_squares;
-  Eigen::VectorXd input_noise;  ///< RMS per channel that noise of the inputs causes (inputNoise())
-  Fit best;                     ///< fit with the selected effects
+  Eigen::VectorXd input_noise;   ///< RMS per channel that noise of the inputs causes (inputNoise())
+  Eigen::VectorXd torque_noise;  ///< RMS per channel that torques between the rows can cause (torqueNoise())
+  Fit best;                      ///< fit with the selected effects
   BlockSquares best_squares;
   Weighting weighting;                             ///< weights of `best`
   std::vector<SelectedEffect> effects;             ///< effects with the largest loss first

@@ -97,6 +97,37 @@ std::vector<SetFit> SetFitter::reduced(const std::vector<Removal>& removals) con
   return fitted(tasks, std::move(effects));
 }
 
+namespace {
+
+/// Whether two starts have the same numbers except the first, which is the effect's size.
+bool haveOneForm(const EffectStart& a, const EffectStart& b) {
+  return std::equal(a.value.begin() + 1, a.value.end(), b.value.begin() + 1, b.value.end());
+}
+
+/// Starts of the effect of `term` in other forms.
+std::vector<EffectStart> otherForms(const EffectTerm& term, const JointScales& scales) {
+  if (std::ranges::any_of(term.hypothesis->facts->parameters, isEventTime)) return {};
+  std::vector<EffectStart> others = term.hypothesis->starts(scales, term.joint);
+  std::erase_if(others, [&](const EffectStart& start) { return haveOneForm(start, term.start); });
+  return others;
+}
+
+}  // namespace
+
+std::vector<SetFit> SetFitter::fromOtherForms(const SetFit& set) const {
+  std::vector<FitTask> tasks;
+  for (const EffectTerm& term : set.fit.model.effects()) {
+    if (term.background) continue;
+    const FitModel without = set.fit.model.without(*term.hypothesis, term.joint);
+    const Eigen::VectorXd u = without.carry(set.fit.model, set.fit.u);
+    for (const EffectStart& start : otherForms(term, scalesOf(without.scales(), term.joint))) {
+      const FitModel model = without.with(*term.hypothesis, term.joint, start);
+      tasks.push_back(shortFit(set, model, model.startFrom(without, u)));
+    }
+  }
+  return fitted(tasks, std::vector<EffectSet>(tasks.size(), set.effects));
+}
+
 FitTask SetFitter::shortFit(const SetFit& parent, FitModel model, Eigen::VectorXd u) const {
   FitTask task{std::move(model), std::move(u), parent.fit.initial, parent.weighting};
   task.options = {.iterations = data_.rigid() ? kShortIterationsRigid : kShortIterations,

@@ -41,6 +41,10 @@ class SetFitter {
   SetFit extended(const SetFit& parent, const EffectSet& effects, const Fit& from) const;
   /// Short fits of sets without one of their effects each.
   std::vector<SetFit> reduced(const std::vector<Removal>& removals) const;
+  /// Short fits of the same set, each from a start of one of its effects (Hypothesis::starts()) whose form
+  /// differs from that of the fit's own start: another speed, period, time constant or kind, because the fit
+  /// can have a minimum beside each. Effects that happen once are left out: score tests try their times.
+  std::vector<SetFit> fromOtherForms(const SetFit& set) const;
   /// The same sets, fitted until convergence; the weights are computed again from the residuals.
   std::vector<SetFit> settled(std::vector<SetFit> from) const;
   SetFit settled(SetFit from) const;

@@ -149,6 +149,19 @@ std::string summaryOf(const Report& report) {
   }
 }
 
+/// Whether the tie is that of the cause.
+bool isOf(const Tie& tie, const Cause& cause) {
+  return tie.causes.front().effect == cause.effect && tie.causes.front().joint == cause.joint;
+}
+
+/// Sentences about ties that the summary does not begin with.
+std::string otherTiesText(const Report& report) {
+  std::string text;
+  for (std::size_t k = report.verdict == Verdict::kTie ? 1 : 0; k < report.ties.size(); ++k)
+    text += fmt::format(" {} cannot be distinguished.", causeNames(mostProbableFirst(report.ties[k])));
+  return text;
+}
+
 std::string experimentFor(const NamedEffect& effect) {
   return fmt::format("For {}: {}", nameOf(effect.effect, effect.joint), wordsOf(effect.effect)->experiment);
 }
@@ -157,7 +170,8 @@ std::string experimentFor(const NamedEffect& effect) {
 
 double mostByChance(const FitData& data, const Selection& s, Eigen::Index c) {
   const double sensor = kBeyondNoise * data.channels()[static_cast<std::size_t>(c)].noise;
-  return sensor * sensor + kSwings * s.input_noise[c] * s.input_noise[c];
+  return sensor * sensor +
+         kSwings * (s.input_noise[c] * s.input_noise[c] + s.torque_noise[c] * s.torque_noise[c]);
 }
 
 double explainedShare(const FitData& data, const Selection& s) {
@@ -219,7 +233,7 @@ Verdict verdictOf(const Report& report, bool residual) {
       !report.lines.empty() || regression_better || (residual && !isAllThatCanBe(report.explainable));
   if (report.causes.empty() || (unexplained && (report.explained < kExplains || regression_better)))
     return unexplained ? Verdict::kUnexplained : Verdict::kNothing;
-  if (!report.ties.empty()) return Verdict::kTie;
+  if (!report.ties.empty() && isOf(report.ties.front(), report.causes.front())) return Verdict::kTie;
   return report.causes.size() > 1 ? Verdict::kSeveral : Verdict::kFound;
 }
 
@@ -244,7 +258,7 @@ void judge(const FitData& data, const Selection& s, const robot::Description& ro
   addTies(s.competitors, report);
   report.uncertain = uncertainOf(data, s, robot);
   report.verdict = verdictOf(report, hasResidual(data, s, report.material));
-  report.summary = summaryOf(report) + uncertainText(report.uncertain);
+  report.summary = summaryOf(report) + otherTiesText(report) + uncertainText(report.uncertain);
   if (report.verdict == Verdict::kNothing && isTooShort(data, s))
     report.summary =
         "Too little motion to say: the refitted robot explains what it was fitted to, and not "

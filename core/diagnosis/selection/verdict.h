@@ -12,8 +12,8 @@ namespace capstan::diagnosis {
 /// noise.
 double explainedShare(const FitData& data, const Selection& selection);
 
-/// Largest mean square of channel c that noise alone can cause: noise of its sensor and of the simulation's
-/// inputs.
+/// Largest mean square of channel c that noise alone can cause: noise of its sensor, of the simulation's
+/// inputs and of motor torques between the rows.
 double mostByChance(const FitData& data, const Selection& selection, Eigen::Index c);
 
 /// True if the residual of the selected model is more than noise and the tolerance: the mean square of some
@@ -54,7 +54,8 @@ void addTies(const std::vector<CompetitorsOf<Effect>>& competitors, Report& repo
     }
 }
 
-/// Verdict from the causes, ties, lines, explainable and explained shares of the report. `residual`: whether
+/// Verdict from the causes, ties, lines, explainable and explained shares of the report: a tie only if it is
+/// that of the first cause. `residual`: whether
 /// the residual of the selected model is more than noise.
 Verdict verdictOf(const Report& report, bool residual);
 

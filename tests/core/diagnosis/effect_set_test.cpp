@@ -40,17 +40,5 @@ TEST(EffectSet, TakesAwayWhatItHasAndNothingElse) {
   EXPECT_TRUE(minus(minus(two, at("slack", 1)), at("payload", 0)).empty());
 }
 
-TEST(EffectSet, AnExchangeChangesExactlyOneEffect) {
-  const EffectSet a = plus(plus(EffectSet(), at("slack", 1)), at("payload", 0));
-  EXPECT_TRUE(differByExchange(a, plus(plus(EffectSet(), at("backlash", 1)), at("payload", 0))));
-  EXPECT_TRUE(differByExchange(a, plus(plus(EffectSet(), at("slack", 2)), at("payload", 0))))
-      << "of another joint";
-  EXPECT_TRUE(differByExchange(plus(EffectSet(), at("slack", 1)), plus(EffectSet(), at("payload", 0))));
-  EXPECT_FALSE(differByExchange(a, a));
-  EXPECT_FALSE(differByExchange(EffectSet(), EffectSet()));
-  EXPECT_FALSE(differByExchange(a, minus(a, at("slack", 1)))) << "one less";
-  EXPECT_FALSE(differByExchange(a, plus(plus(EffectSet(), at("backlash", 1)), at("backlash", 2)))) << "both";
-}
-
 }  // namespace
 }  // namespace capstan::diagnosis

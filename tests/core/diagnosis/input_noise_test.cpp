@@ -1,4 +1,5 @@
-// Noise of load cells comes through the simulation as large as it is told to; effects are not named for it.
+// Noise of load cells, and torques between the rows, come through the simulation as large as they are;
+// effects are not named for them.
 #include "core/diagnosis/fit/input_noise.h"
 
 #include <gtest/gtest.h>
@@ -15,13 +16,14 @@
 namespace capstan::diagnosis {
 namespace {
 
-/// A sound rigid axis under loads that are measured with noise, and its refitted nominal structure.
+/// A sound rigid axis under loads that are measured with noise, and its refitted nominal structure. Its motor
+/// has another torque every millisecond.
 struct Sound {
   robot::Description robot =
       robot::readDescription(test::sourceFile("tests/support/planted/data/rigid_axis.yaml"));
   std::vector<Evidence> evidence;
 
-  explicit Sound(double load_sigma) {
+  explicit Sound(double load_sigma, int row_period = 1) {
     test::DrawOptions options;
     options.robot = robot;
     options.rigid = true;
@@ -30,6 +32,7 @@ struct Sound {
     test::PlantedCase drawn = test::draw(5, options);
     drawn.sensors.load_cells = true;
     drawn.sensors.load_sigma = load_sigma;
+    drawn.sensors.row_period = row_period;
     evidence.push_back(evidenceOf(test::record(drawn).table, robot));
   }
 
@@ -63,6 +66,27 @@ TEST(InputNoise, IsNoEffect) {
   const Sound sound(0.4);
   DiagnosisOptions options;
   options.show = false;
+  EXPECT_EQ(diagnose(sound.evidence, sound.robot, options).verdict, Verdict::kNothing);
+}
+
+TEST(TorqueNoise, IsWhatARefittedRobotLeavesWhereTorquesAreNotRecorded) {
+  for (const int period : {1, 2}) {
+    const Sound sound(1e-5, period);
+    const FitData data(sound.evidence, sound.robot, kHorizons[1], EncoderZeros::kKnown, 2);
+    const Selection s = sound.refitted(data);
+    const double sensor = data.channels()[0].noise, torque = s.torque_noise[0];
+    const double left = std::sqrt(squaresOf(data, s.base.e).meanSquare(0));
+    EXPECT_GT(torque, 0.5 * sensor);
+    EXPECT_LT(left, 1.2 * std::hypot(sensor, period == 1 ? 0.0 : torque)) << period;
+    EXPECT_TRUE(period == 1 || left > 1.2 * sensor) << left / sensor;
+  }
+}
+
+TEST(TorqueNoise, IsNoEffectAndNothingUnexplained) {
+  const Sound sound(1e-5, 2);
+  DiagnosisOptions options;
+  options.show = false;
+  options.material = {0.0, 0.0};
   EXPECT_EQ(diagnose(sound.evidence, sound.robot, options).verdict, Verdict::kNothing);
 }
 

@@ -73,6 +73,7 @@ class Undecided {
     selection_.emplace(Selection{.base = without.fit,
                                  .base_squares = without.squares,
                                  .input_noise = {},
+                                 .torque_noise = {},
                                  .best = without.fit,
                                  .best_squares = without.squares,
                                  .weighting = without.weighting,

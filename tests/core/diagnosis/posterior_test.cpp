@@ -137,6 +137,35 @@ TEST(Competitors, AreEffectsThatReplaceASelectedOneAtComparableProbability) {
   EXPECT_NEAR(competitors[0].probabilities[1], 0.5 / 1.5, 1e-12);
 }
 
+TEST(Competitors, AreFoundWhateverElseTheModelsHave) {
+  Choice choice;
+  choice.add({kA, kC}, 0.45);
+  choice.add({kA}, 0.2);
+  choice.add({kB}, 0.35);
+  const Posterior<Letter> posterior = choice.posterior();
+  const auto effects =
+      selectedOf(Letters({kA, kC}), choice.squares,
+                 {{{}, &choice.squares, 0.0}, {{kA, kC}, &choice.squares, 0.0}}, posterior, choice.score);
+  const auto competitors = competitorsOf(Letters({kA, kC}), effects, posterior);
+  ASSERT_EQ(competitors.size(), 1U) << "B replaces A, and not C";
+  EXPECT_EQ(competitors[0].selected, kA);
+  EXPECT_EQ(competitors[0].others, std::vector({kB}));
+  EXPECT_NEAR(competitors[0].probabilities[1], 0.35, 1e-12);
+}
+
+TEST(Competitors, AreMoreProbableThanTheModelWithoutEither) {
+  Choice choice;
+  choice.add({kA}, 0.36);
+  choice.add({kA, kB}, 0.24);
+  choice.add({kB}, 0.16);
+  choice.add({}, 0.24);
+  const Posterior<Letter> posterior = choice.posterior();
+  const auto effects =
+      selectedOf(Letters({kA}), choice.squares, {{{}, &choice.squares, 0.0}, {{kA}, &choice.squares, 0.0}},
+                 posterior, choice.score);
+  EXPECT_TRUE(competitorsOf(Letters({kA}), effects, posterior).empty());
+}
+
 TEST(LogPrior, EachFurtherEffectMultipliesTheProbabilityOfTheSize) {
   EXPECT_NEAR(logPrior(0, 10), 0.0, 1e-12);
   EXPECT_NEAR(logPrior(1, 10), std::log(kEffectOdds / 10.0), 1e-12);

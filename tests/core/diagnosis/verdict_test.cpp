@@ -31,6 +31,7 @@ Selection undecided(const FitData& data, const Planted& planted) {
   return {.base = without.fit,
           .base_squares = without.squares,
           .input_noise = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(data.channels().size())),
+          .torque_noise = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(data.channels().size())),
           .best = without.fit,
           .best_squares = without.squares,
           .weighting = without.weighting,
@@ -64,6 +65,24 @@ TEST(Verdict, GivesTheSizeOfAnEffectThatMayBeThere) {
       "Backlash (joint 2) may be there, too (probability 58 %): " + shownParameter("backlash", half_width);
   EXPECT_NE(report.summary.find(words), std::string::npos) << report.summary;
   EXPECT_NE(report.summary.find("; moves joint 2 by "), std::string::npos) << report.summary;
+}
+
+Report reportOf(std::vector<Cause> causes) {
+  Report report;
+  report.explained = 1.0;
+  report.causes = std::move(causes);
+  return report;
+}
+
+TEST(Verdict, IsATieOnlyIfTheFirstCauseHasEquals) {
+  const Cause inertia{.effect = "inertia", .joint = 1, .parameters = {}},
+      compliance{.effect = "cable_compliance", .joint = 3, .parameters = {}};
+  Report report = reportOf({inertia, compliance});
+  EXPECT_EQ(verdictOf(report, false), Verdict::kSeveral);
+  report.ties = {tieOf(compliance, {{"inertia", 3}}, {0.7, 0.3})};
+  EXPECT_EQ(verdictOf(report, false), Verdict::kSeveral);
+  report.ties = {tieOf(inertia, {{"payload", 0}}, {0.6, 0.4}), report.ties.front()};
+  EXPECT_EQ(verdictOf(report, false), Verdict::kTie);
 }
 
 }  // namespace

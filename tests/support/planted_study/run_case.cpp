@@ -1,15 +1,15 @@
 #include "tests/support/planted_study/run_case.h"
 
+#include <algorithm>
 #include <chrono>
 #include <limits>
+#include <utility>
 
 #include "core/diagnosis/evidence/read_evidence.h"
 #include "tests/support/planted_study/ideal_limit.h"
 
 namespace capstan::study {
 namespace {
-
-constexpr std::uint64_t kMostRobots = 20;  // that are drawn for a case until the plant can integrate one
 
 Answer diagnosed(const test::Recording& recording, const Diagnoser& diagnoser) {
   const auto begin = std::chrono::steady_clock::now();
@@ -29,24 +29,13 @@ Answer diagnosed(const test::Recording& recording, const Diagnoser& diagnoser) {
   }
 }
 
-}  // namespace
-
-CaseOutcome runCase(const StudyCase& one, const Diagnoser& diagnoser, const RunOptions& options) {
-  constexpr std::uint64_t kOther = 1'000'000'000'000;  // seeds beyond those of all cases
-  for (StudyCase drawn = one;; drawn.seed += kOther) {
-    try {
-      CaseOutcome outcome = runCase(drawn, planned(drawn), diagnoser, options);
-      outcome.of = one;
-      return outcome;
-    } catch (const test::TooStiff&) {
-      if (drawn.seed > one.seed + kMostRobots * kOther) throw;
-    }
-  }
+bool isVisible(const test::Truth& truth) {
+  return std::ranges::all_of(truth.items, [](const auto& item) { return item.visibility >= kJustVisible; });
 }
 
-CaseOutcome runCase(const StudyCase& one, const test::PlantedCase& drawn, const Diagnoser& diagnoser,
-                    const RunOptions& options) {
-  const auto [recording, truth] = test::recordWithTruth(drawn);
+CaseOutcome outcomeOf(const StudyCase& one, const RecordedCase& recorded, const Diagnoser& diagnoser,
+                      const RunOptions& options) {
+  const auto& [drawn, recording, truth] = recorded;
   CaseOutcome outcome;
   outcome.of = one;
   outcome.truth = {truth.items, truth.texture, drawn.duration, std::numeric_limits<double>::quiet_NaN()};
@@ -56,6 +45,33 @@ CaseOutcome runCase(const StudyCase& one, const test::PlantedCase& drawn, const 
   }
   outcome.answer = diagnosed(recording, diagnoser);
   return outcome;
+}
+
+}  // namespace
+
+RecordedCase recordCase(const StudyCase& one) {
+  constexpr std::uint64_t kOther = 1'000'000'000'000;  // seeds beyond those of all cases
+  for (StudyCase drawn = one;; drawn.seed += kOther) {
+    const bool last = drawn.seed >= one.seed + (kMostRobots - 1) * kOther;
+    try {
+      const test::PlantedCase planted = planned(drawn);
+      auto [recording, truth] = test::recordWithTruth(planted);
+      if (last || one.population != Population::kVaried || isVisible(truth))
+        return {planted, std::move(recording), std::move(truth)};
+    } catch (const test::TooStiff&) {
+      if (last) throw;
+    }
+  }
+}
+
+CaseOutcome runCase(const StudyCase& one, const Diagnoser& diagnoser, const RunOptions& options) {
+  return outcomeOf(one, recordCase(one), diagnoser, options);
+}
+
+CaseOutcome runCase(const StudyCase& one, const test::PlantedCase& drawn, const Diagnoser& diagnoser,
+                    const RunOptions& options) {
+  auto [recording, truth] = test::recordWithTruth(drawn);
+  return outcomeOf(one, {drawn, std::move(recording), std::move(truth)}, diagnoser, options);
 }
 
 }  // namespace capstan::study

@@ -7,6 +7,7 @@
 
 #include "core/stats/proportion.h"
 #include "core/stats/quantile.h"
+#include "tests/support/planted_study/run_case.h"
 
 namespace capstan::study {
 namespace {
@@ -74,7 +75,6 @@ std::vector<Group> otherGroups(const std::vector<const CaseOutcome*>& ones) {
                                const double size = outcome.truth.items.front().size;
                                return size >= bounds[k] && size < bounds[k + 1];
                              }));
-  constexpr double kJustVisible = 0.8;  // 1, sized to within a quarter
   for (const bool visible : {false, true})
     groups.push_back(groupOf(visible ? "just visible and more" : "even at its largest less than just visible",
                              ones, [&](const CaseOutcome& outcome) {

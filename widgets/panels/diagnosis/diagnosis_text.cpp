@@ -37,6 +37,18 @@ QStringList namesOf(const std::vector<diagnosis::Cause>& causes, const robot::De
   return names;
 }
 
+/// The causes, those of a tie together: "payload, arm — or inertia, joint 2".
+QStringList withTies(const diagnosis::Report& report) {
+  QStringList names = namesOf(report.causes, report.extended);
+  for (const diagnosis::Tie& tie : report.ties)
+    for (std::size_t k = 0; k < report.causes.size(); ++k)
+      if (report.causes[k].effect == tie.causes.front().effect &&
+          report.causes[k].joint == tie.causes.front().joint)
+        names[static_cast<int>(k)] =
+            namesOf(diagnosis::mostProbableFirst(tie), report.extended).join(QObject::tr(" — or "));
+  return names;
+}
+
 }  // namespace
 
 QString titleOf(const std::string& effect) { return text(diagnosis::titleOf(effect)); }
@@ -52,7 +64,7 @@ QString headlineOf(const diagnosis::Report& report) {
     case Verdict::kFound:
       return QObject::tr("Found: %1").arg(causes.join(QString()));
     case Verdict::kSeveral:
-      return QObject::tr("Several causes: %1").arg(causes.join(QStringLiteral("; ")));
+      return QObject::tr("Several causes: %1").arg(withTies(report).join(QStringLiteral("; ")));
     case Verdict::kTie: {
       const QStringList tied = report.ties.empty()
                                    ? causes

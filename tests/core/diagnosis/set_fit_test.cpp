@@ -1,0 +1,49 @@
+// Fits of one set of effects from several starts.
+#include "core/diagnosis/selection/set_fit.h"
+
+#include <gtest/gtest.h>
+
+#include "core/diagnosis/hypotheses/joint_scales.h"
+#include "tests/core/diagnosis/planted_evidence.h"
+
+namespace capstan::diagnosis {
+namespace {
+
+/// Fit of `effect` in joint 2 from its start `start`.
+SetFit fitFrom(const SetFitter& fitter, const SetFit& nominal, const char* effect, std::size_t start) {
+  const Hypothesis& hypothesis = *hypothesisNamed(effect);
+  const FitModel& base = nominal.fit.model;
+  const auto starts = hypothesis.starts(scalesOf(base.scales(), 2), 2);
+  const FitModel model = base.with(hypothesis, 2, starts.at(start));
+  SetFit set = nominal;
+  set.effects = {{&hypothesis, 2}};
+  set.fit.u = model.startFrom(base, nominal.fit.u);
+  set.fit.model = model;
+  SetFitter::thin(set);
+  fitter.relinearise(set);
+  return set;
+}
+
+TEST(SetFit, StartsFromTheOtherFormsOfItsEffects) {
+  const Planted planted(5, test::Effect::kStribeckFriction, 2);
+  const FitData data(planted.evidence, planted.robot, 0.0, EncoderZeros::kKnown, 2);
+  const FitModel base(planted.robot, jointScales(planted.evidence, planted.robot));
+  const SetFitter fitter(data);
+  const SetFit nominal = fitter.nominal(base, Eigen::VectorXd::Zero(base.size()));
+  const std::vector<SetFit> stribeck =
+      fitter.fromOtherForms(fitFrom(fitter, nominal, "stribeck_friction", 0));
+  ASSERT_EQ(stribeck.size(), 2U) << "three speeds, of which it has one";
+  for (const SetFit& one : stribeck) {
+    EXPECT_EQ(one.effects, EffectSet({{hypothesisNamed("stribeck_friction"), 2}}));
+    EXPECT_FALSE(one.settled);
+  }
+  const auto speedOf = [](const SetFit& set) { return set.fit.model.effects().back().start.value.at(1); };
+  EXPECT_LT(speedOf(stribeck[0]), speedOf(stribeck[1]));
+  EXPECT_TRUE(fitter.fromOtherForms(fitFrom(fitter, nominal, "viscous_friction", 0)).empty())
+      << "it has one number";
+  EXPECT_TRUE(fitter.fromOtherForms(fitFrom(fitter, nominal, "encoder_slip", 0)).empty())
+      << "score tests try the times";
+}
+
+}  // namespace
+}  // namespace capstan::diagnosis
