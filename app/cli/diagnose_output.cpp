@@ -61,22 +61,18 @@ std::string causeBlock(const Cause& cause, const char* among = "") {
   return text + "\n";
 }
 
-/// Returns whether `cause` belongs to a tie; such causes are printed with their tie.
-bool isTied(const Report& report, const Cause& cause) {
-  for (const diagnosis::Tie& tie : report.ties)
-    for (const Cause& one : tie.causes)
-      if (one.effect == cause.effect && one.joint == cause.joint) return true;
-  return false;
+std::string tieBlock(const diagnosis::Tie& tie) {
+  std::string text = "One of these causes, which the recordings cannot distinguish:\n\n";
+  for (const Cause& cause : diagnosis::mostProbableFirst(tie)) text += causeBlock(cause, " among these");
+  if (!tie.separate.empty()) text += wrapped("What would distinguish them: " + tie.separate) + "\n";
+  return text;
 }
 
 std::string causesText(const Report& report) {
   std::string text;
-  for (const Cause& cause : report.causes)
-    if (!isTied(report, cause)) text += causeBlock(cause);
-  for (const diagnosis::Tie& tie : report.ties) {
-    text += "One of these causes, which the recordings cannot distinguish:\n\n";
-    for (const Cause& cause : diagnosis::mostProbableFirst(tie)) text += causeBlock(cause, " among these");
-    if (!tie.separate.empty()) text += wrapped("What would distinguish them: " + tie.separate) + "\n";
+  for (const Cause& cause : report.causes) {
+    const diagnosis::Tie* tie = diagnosis::tieOfCause(report, cause);
+    text += tie ? tieBlock(*tie) : causeBlock(cause);
   }
   return text;
 }

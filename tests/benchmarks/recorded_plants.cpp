@@ -9,6 +9,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "core/base/error.h"
 #include "core/base/resource.h"
 #include "core/diagnosis/diagnose.h"
 #include "core/diagnosis/evidence/read_evidence.h"
@@ -64,8 +65,10 @@ std::string judged(const Report& report, const Truth& truth) {
   std::erase_if(causes, [&](const Cause& cause) {
     return truth.textured && isTexture(cause.effect) && !truth.isHere(cause.effect, cause.joint);
   });
-  if (truth.effect == "none") return causes.empty() ? "right" : "false alarm";
-  if (truth.effect == "outside_spring") return report.verdict == Verdict::kUnexplained ? "right" : "wrong";
+  const bool unexplained = report.verdict == Verdict::kUnexplained;
+  if (truth.effect == "none") return causes.empty() && !unexplained ? "right" : "false alarm";
+  if (truth.effect == "outside_spring") return unexplained ? "right" : "wrong";
+  if (unexplained) return "unexplained";
   if (isTied(report, truth)) return "tie";
   for (std::size_t k = 0; k < causes.size(); ++k)
     if (truth.isHere(causes[k].effect, causes[k].joint)) return k == 0 ? "right" : "not first";
@@ -83,10 +86,14 @@ std::pair<int, int> study(const std::filesystem::path& folder, int threads) {
   for (const auto& entry : std::filesystem::directory_iterator(folder))
     if (entry.path().extension() == ".csv") files.push_back(entry.path());
   std::ranges::sort(files);
-  int right = 0;
+  int right = 0, count = 0;
   std::string line;
   for (const std::filesystem::path& file : files) {
-    if (!std::getline(truths, line)) break;
+    if (!std::getline(truths, line))
+      throw base::InputError({folder / "truth.jsonl", count + 1, "", "",
+                              fmt::format("has no line for {}", file.filename().string()),
+                              "It has a line for each recording, in the order of their names"});
+    ++count;
     const Truth truth = truthFrom(line);
     const Report report = diagnosis::diagnose({diagnosis::readEvidence(file, robot)}, robot, options);
     const std::string result = judged(report, truth);
@@ -97,7 +104,7 @@ std::pair<int, int> study(const std::filesystem::path& folder, int threads) {
     for (const Cause& cause : report.causes) fmt::print("  {}\n", named(cause));
     std::fflush(stdout);
   }
-  return {right, static_cast<int>(files.size())};
+  return {right, count};
 }
 
 }  // namespace

@@ -75,24 +75,23 @@ std::string causeHtml(const Cause& cause, const char* probability = "Probability
   return html + "</dl></section>\n";
 }
 
+std::string tieHtml(const diagnosis::Tie& tie) {
+  std::string html = "<h2>As good as each other</h2>\n";
+  for (const Cause& cause : diagnosis::mostProbableFirst(tie))
+    html += causeHtml(cause, "Probability among these");
+  if (!tie.separate.empty()) html += "<h3>What would distinguish them</h3>\n" + paragraph(tie.separate);
+  return html;
+}
+
+/// The causes in their order, each with its tie; consecutive ones without a tie have one heading.
 std::string causesHtml(const Report& report) {
   std::string html;
-  if (!report.causes.empty() && report.ties.empty()) html += "<h2>Causes</h2>\n";
-  if (report.ties.empty())
-    for (const Cause& cause : report.causes) html += causeHtml(cause);
-  for (const diagnosis::Tie& tie : report.ties) {
-    html += "<h2>As good as each other</h2>\n";
-    for (const Cause& cause : diagnosis::mostProbableFirst(tie))
-      html += causeHtml(cause, "Probability among these");
-    if (!tie.separate.empty()) html += "<h3>What would distinguish them</h3>\n" + paragraph(tie.separate);
-  }
-  // Causes that are not part of a tie, listed beside it.
+  bool alone = false;
   for (const Cause& cause : report.causes) {
-    bool tied = report.ties.empty();
-    for (const diagnosis::Tie& tie : report.ties)
-      for (const Cause& one : tie.causes)
-        tied = tied || (one.effect == cause.effect && one.joint == cause.joint);
-    if (!tied) html += causeHtml(cause);
+    const diagnosis::Tie* tie = diagnosis::tieOfCause(report, cause);
+    if (!tie && !alone) html += "<h2>Causes</h2>\n";
+    alone = !tie;
+    html += tie ? tieHtml(*tie) : causeHtml(cause);
   }
   return html;
 }

@@ -12,8 +12,9 @@ namespace capstan::diagnosis {
 /// fitted robot, with random noise on the inputs whose σ is that of the sensors. In rigid drives this noise
 /// accumulates over time, and no model can explain it.
 Eigen::VectorXd inputNoise(const FitData& data, const Fit& at, const Weighting& weighting);
-/// The same of motor torques between the rows of rigid drives (withTorqueNoise()): the most that they can
-/// cause, because torques may also be held from row to row. Zero for cable drives.
+/// RMS change of the simulated readings, as above, that torques cause which a controller commands between two
+/// rows (withTorqueNoise()). It is an upper bound, because torques may also be held from row to row. Zero for
+/// cable drives.
 Eigen::VectorXd torqueNoise(const FitData& data, const Fit& at, const Weighting& weighting);
 inline constexpr int kInputDraws = 4;  ///< number of simulations with random input noise
 /// If a residual's mean square, divided by that of the input noise, is at most this number, the residual may

@@ -22,8 +22,8 @@ SimulationInputs inputsOf(const Evidence& evidence);
 /// drives.
 SimulationInputs shakenInputs(const Evidence& evidence, const SimulationInputs& inputs, base::Random& random);
 
-/// The same with random noise on the motor torques of rigid drives, of the size of their own white noise: a
-/// controller that is faster than the recording has commanded torques that no row contains.
+/// `inputs` with random noise on the motor torques of rigid drives, of the size of their own white noise: a
+/// controller that is faster than the recording commands torques that no row contains.
 SimulationInputs withTorqueNoise(const Evidence& evidence, const SimulationInputs& inputs,
                                  base::Random& random);
 

@@ -16,10 +16,10 @@ namespace capstan::diagnosis {
 
 /// Result of a diagnosis in one word.
 enum class Verdict {
-  kFound,    ///< one cause
-  kSeveral,  ///< more than one cause; any but the first can be one of a tie
-  kTie,      ///< the recording cannot distinguish two or more explanations of what the first cause explains
-  kNothing,  ///< no material effect
+  kFound,        ///< one cause
+  kSeveral,      ///< more than one cause; any but the first can be one of a tie
+  kTie,          ///< the recording cannot distinguish the first cause from competing explanations
+  kNothing,      ///< no material effect
   kUnexplained,  ///< a material residual that no hypothesis explains
 };
 

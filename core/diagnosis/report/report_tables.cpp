@@ -104,6 +104,12 @@ std::vector<Cause> mostProbableFirst(const Tie& tie) {
   return causes;
 }
 
+const Tie* tieOfCause(const Report& report, const Cause& cause) {
+  for (const Tie& tie : report.ties)
+    if (tie.causes.front().effect == cause.effect && tie.causes.front().joint == cause.joint) return &tie;
+  return nullptr;
+}
+
 std::vector<Candidate> rankedCandidates(const Report& report) {
   std::vector<Candidate> candidates = report.candidates;
   std::ranges::stable_sort(candidates, ahead);

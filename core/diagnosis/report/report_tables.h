@@ -22,6 +22,8 @@ std::string gainText(const Gain& gain);
 
 /// Causes of a tie, the most probable first.
 std::vector<Cause> mostProbableFirst(const Tie& tie);
+/// Tie of a cause of the report; null: it has none.
+const Tie* tieOfCause(const Report& report, const Cause& cause);
 /// Candidates in the order of the ranking: round by round, the most probable first; equally probable ones by
 /// the score of their trial fit, and those without a trial fit last, by the predicted reduction.
 std::vector<Candidate> rankedCandidates(const Report& report);

@@ -15,8 +15,7 @@ constexpr double kPeak = 3.0;  // largest displacement, in tolerances of the RMS
 /// frame, and some hundred frames average to a tenth of it.
 constexpr double kOfCameras = 10.0;
 
-/// Displacement of a joint, in tolerances, that rounding alone causes: cameras move no joint.
-constexpr double kRounding = 1e-6;
+constexpr double kRounding = 1e-12;  // displacement that rounding alone can cause [rad or m]
 
 /// RMS and largest magnitude of numbers that are given one by one.
 class Sum {
@@ -27,6 +26,7 @@ class Sum {
     largest_ = std::max(largest_, std::abs(x));
   }
   Displacement displacement(bool slides) const {
+    if (largest_ < kRounding) return {0.0, 0.0, slides};
     return {count_ > 0 ? std::sqrt(squares_ / static_cast<double>(count_)) : 0.0, largest_, slides};
   }
 
@@ -139,10 +139,9 @@ bool isMaterial(const Displacements& moves, const Tolerance& tolerance) {
   const auto beyond = [&](const Displacement& moved) {
     return moved.rms > toleranceOf(moved) || moved.largest > kPeak * toleranceOf(moved);
   };
-  const auto moves_it = [&](const Displacement& moved) {
-    return moved.largest > kRounding * toleranceOf(moved);
-  };
-  if (std::ranges::any_of(moves.joints, moves_it)) return std::ranges::any_of(moves.joints, beyond);
+  const bool joints =
+      std::ranges::any_of(moves.joints, [](const Displacement& moved) { return moved.largest > 0.0; });
+  if (joints) return std::ranges::any_of(moves.joints, beyond);
   return moves.tip.rms > kOfCameras * tolerance.length ||
          moves.tip.largest > kPeak * kOfCameras * tolerance.length;
 }

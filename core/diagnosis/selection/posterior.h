@@ -39,7 +39,7 @@ template <class Effect>
 struct CompetitorsOf {
   Effect selected;
   std::vector<Effect> others;
-  /// Relative probabilities: of the selected effect, then of each of `others`, in models with one of the two.
+  /// Relative probabilities: of the selected effect, then of each of `others`, in models with one of them.
   std::vector<double> probabilities;
 };
 
@@ -60,8 +60,8 @@ inline constexpr int kDraws = 400;  ///< number of block bootstraps
 /// Smallest ratio of the probability of a reported set to that of the best set (Occam's window, Madigan and
 /// Raftery 1994).
 inline constexpr double kOccam = 1e-3;
-/// Smallest share of the probability of models with exactly one of two effects at which the one that is not
-/// selected makes a tie.
+/// Smallest Exchange::replaces at which an effect makes a tie with a selected one, as a share of the
+/// probability of all models with exactly one of the two.
 inline constexpr double kTie = 0.2;
 /// An effect is not selected if the probability of the set without it is at least this multiple of that of
 /// the most probable set: at odds of less than 2 to 1 the recordings do not decide.
@@ -201,7 +201,7 @@ struct Exchange {
   /// probable without either.
   double replaces = 0.0;
   /// Whether the recordings do not decide between the two, whatever else the model has.
-  bool isTie() const { return replaces >= kTie * (selected + other); }
+  bool isTie() const { return replaces > 0.0 && replaces >= kTie * (selected + other); }
 };
 
 template <class Effect>
@@ -216,10 +216,24 @@ Exchange exchangeOf(const Posterior<Effect>& posterior, const Effect& selected, 
       continue;
     }
     exchange.other += p;
-    const SetOf<Effect> neither = minus(effects, other);
+    const SetOf<Effect> neither = withoutEffect(effects, other);
     if (posterior.of(plus(neither, selected)) > 0.0 && posterior.of(neither) < p) exchange.replaces += p;
   }
   return exchange;
+}
+
+/// Probability of the models with `effect` and no other of the competing effects.
+template <class Effect>
+double aloneOf(const Posterior<Effect>& posterior, const Effect& effect,
+               const CompetitorsOf<Effect>& competing) {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < posterior.models().size(); ++k) {
+    const SetOf<Effect>& effects = posterior.models()[k].effects;
+    const auto is_there = [&](const Effect& one) { return contains(effects, one); };
+    const auto count = std::ranges::count_if(competing.others, is_there) + is_there(competing.selected);
+    if (count == 1 && is_there(effect)) sum += posterior.probability(k);
+  }
+  return sum;
 }
 
 /// Effects with competitors, in the order of `effects`, those of the set `selected`.
@@ -233,19 +247,14 @@ std::vector<CompetitorsOf<Effect>> competitorsOf(const SetOf<Effect>& selected,
       if (!contains(selected, effect)) others = plus(std::move(others), effect);
   std::vector<CompetitorsOf<Effect>> all;
   for (const SelectedOf<Effect>& one : effects) {
-    double own = 0.0;
-    std::vector<std::pair<double, Effect>> exchanges;
-    for (const Effect& other : others) {
-      const Exchange exchange = exchangeOf(posterior, one.effect, other);
-      if (!exchange.isTie()) continue;
-      own = std::max(own, exchange.selected);
-      exchanges.emplace_back(exchange.other, other);
-    }
-    if (exchanges.empty()) continue;
-    std::ranges::stable_sort(exchanges, std::greater<>(), &std::pair<double, Effect>::first);
-    CompetitorsOf<Effect> competing{one.effect, {}, {own}};
-    for (const auto& [p, other] : exchanges)
-      competing.others.push_back(other), competing.probabilities.push_back(p);
+    CompetitorsOf<Effect> competing{one.effect, {}, {}};
+    for (const Effect& other : others)
+      if (exchangeOf(posterior, one.effect, other).isTie()) competing.others.push_back(other);
+    if (competing.others.empty()) continue;
+    const auto probability = [&](const Effect& effect) { return aloneOf(posterior, effect, competing); };
+    std::ranges::stable_sort(competing.others, std::greater<>(), probability);
+    competing.probabilities.push_back(probability(one.effect));
+    for (const Effect& other : competing.others) competing.probabilities.push_back(probability(other));
     const double sum = std::accumulate(competing.probabilities.begin(), competing.probabilities.end(), 0.0);
     for (double& p : competing.probabilities) p /= sum;
     all.push_back(std::move(competing));

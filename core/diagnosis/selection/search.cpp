@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <set>
 
 #include "core/diagnosis/fit/input_noise.h"
 #include "core/diagnosis/selection/optimism.h"
+#include "core/diagnosis/selection/search_limits.h"
 #include "core/diagnosis/selection/search_progress.h"
 #include "core/diagnosis/selection/set_prior.h"
 #include "core/diagnosis/selection/tested_candidates.h"
@@ -16,21 +18,7 @@
 namespace capstan::diagnosis {
 namespace {
 
-constexpr std::size_t kBeam = 2;        // sets that are expanded at a time
-constexpr std::size_t kFarBeam = 4;     // the same, far from an explanation (isFar())
-constexpr std::size_t kContenders = 8;  // largest number of sets near the best one that are settled together
-constexpr std::size_t kSettled = 5;     // trials of an expansion that are fitted to the end
-constexpr std::size_t kNeighbourSettled = 2;  // the same where a neighbour of the best set is expanded
-constexpr int kNeighbourRefits = 4;           // refits of such an expansion
-constexpr double kHopeful =
-    0.5;  // share of the best trial's gain, and of a loss to be made up, that is pursued
-constexpr double kWindow =
-    7.0;  // [nats], odds of 1000: a set that is further below the best one is not expanded
-constexpr double kContend = 3.0;  // the same, odds of 20: further below, its posterior is of no interest
-constexpr double kFar = 2.0;      // RMS of a residual over that of the noise: more is far from an explanation
-constexpr double kWorthMuch = 100.0;    // loss after a short fit [nats] that no fit to the end makes up
-constexpr std::size_t kOtherForms = 2;  // short fits of other forms that are fitted to the end
-constexpr double kRestart = 0.5;        // gain of another start [nats] for which the search goes on
+using namespace limits;
 
 bool cancelled(const base::Progress* progress) { return progress && progress->cancelled(); }
 
@@ -297,42 +285,49 @@ class Search {
   /// come `first` can.
   bool canLead(const SetFit& parent, const EffectSet& with, const ScoreTest& test, bool first,
                double least) const {
-    const double cost = logPrior(parent.effects, found_.candidates, found_.instants) -
-                        logPrior(with, found_.candidates, found_.instants);
     const double most = first && isFar(parent)
                             ? room(parent)
                             : score_->mostGain(parent.squares, test.share) + kBeyondTest * test.prior;
-    return most >= std::max(least, cost);
+    return most >= std::max(least, costOf(parent.effects, with));
   }
 
-  /// Gain of a trial that its score tests predict, priors included [nats].
+  /// Gain of a trial's fittedValue() that its score tests predict [nats].
   double predictedGain(const SetFit& parent, const EffectSet& with,
                        const std::vector<ScoreTest>& tests) const {
     double most = 0.0;
     for (const ScoreTest& test : tests)
       if (plus(parent.effects, {test.hypothesis, test.joint}) == with)
         most = std::max(most, score_->mostGain(parent.squares, test.share) / kBeyondTest + test.prior);
-    return most;
+    return most - costOf(parent.effects, with);
+  }
+
+  /// Fall of the log prior from a set to a larger one [nats].
+  double costOf(const EffectSet& effects, const EffectSet& with) const {
+    return logPrior(effects, found_.candidates, found_.instants) -
+           logPrior(with, found_.candidates, found_.instants);
   }
 
   /// Fits to the end the best trials that are better than the set which they extend; far from an explanation
-  /// the best ones in any case. Trials that gain much less than their score tests predict are fitted from the
-  /// nominal parameters: the parent's may have moved so far in place of the effect that no fit returns.
+  /// the best ones in any case. Trials that gain much less than their score tests predict are also fitted
+  /// from the nominal parameters: the parent's may have moved so far in place of the effect that no fit
+  /// returns.
   void settleBest(std::vector<SetFit> trials, const SetFit& parent, const std::vector<ScoreTest>& tests,
                   std::size_t most) {
     if (trials.empty()) return;
     sortByFit(trials);
     const double before = fittedValue(parent), best = fittedValue(trials.front()) - before;
     const bool far = isFar(parent);
-    std::vector<SetFit> hopeful, others;
+    std::vector<SetFit> hopeful, others, restarts;
     for (SetFit& trial : trials) {
       const double gain = fittedValue(trial) - before;
       const double predicted = predictedGain(parent, trial.effects, tests);
       const bool better = gain > 0.0 && gain >= kHopeful * best;
-      if (gain < kHopeful * predicted && predicted >= std::max(best, kContend))
-        hopeful.push_back(SetFitter::fromNominal(trial));
-      (hopeful.size() < most && (far || better) ? hopeful : others).push_back(std::move(trial));
+      const bool restart =
+          restarts.size() < kRestarts && gain < kHopeful * predicted && predicted >= std::max(best, kContend);
+      if (restart) restarts.push_back(SetFitter::fromNominal(trial));
+      (hopeful.size() < most && (far || better || restart) ? hopeful : others).push_back(std::move(trial));
     }
+    std::ranges::move(restarts, std::back_inserter(hopeful));
     keepThin(std::move(others));
     if (hopeful.empty() || cancelled(progress_)) return;
     report("Settling the candidate models");

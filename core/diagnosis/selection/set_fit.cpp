@@ -99,16 +99,20 @@ std::vector<SetFit> SetFitter::reduced(const std::vector<Removal>& removals) con
 
 namespace {
 
-/// Whether two starts have the same numbers except the first, which is the effect's size.
-bool haveOneForm(const EffectStart& a, const EffectStart& b) {
-  return std::equal(a.value.begin() + 1, a.value.end(), b.value.begin() + 1, b.value.end());
+/// Whether two starts of an effect differ in its size alone: in its first number, and in numbers whose
+/// neutral value is 0, which score tests have changed.
+bool haveOneForm(const Hypothesis& hypothesis, const EffectStart& a, const EffectStart& b) {
+  for (std::size_t k = 1; k < a.value.size(); ++k)
+    if (hypothesis.neutral[k] != 0.0 && a.value[k] != b.value[k]) return false;
+  return true;
 }
 
 /// Starts of the effect of `term` in other forms.
 std::vector<EffectStart> otherForms(const EffectTerm& term, const JointScales& scales) {
   if (std::ranges::any_of(term.hypothesis->facts->parameters, isEventTime)) return {};
   std::vector<EffectStart> others = term.hypothesis->starts(scales, term.joint);
-  std::erase_if(others, [&](const EffectStart& start) { return haveOneForm(start, term.start); });
+  std::erase_if(others,
+                [&](const EffectStart& start) { return haveOneForm(*term.hypothesis, start, term.start); });
   return others;
 }
 

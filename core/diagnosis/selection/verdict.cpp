@@ -149,11 +149,6 @@ std::string summaryOf(const Report& report) {
   }
 }
 
-/// Whether the tie is that of the cause.
-bool isOf(const Tie& tie, const Cause& cause) {
-  return tie.causes.front().effect == cause.effect && tie.causes.front().joint == cause.joint;
-}
-
 /// Sentences about ties that the summary does not begin with.
 std::string otherTiesText(const Report& report) {
   std::string text;
@@ -233,7 +228,7 @@ Verdict verdictOf(const Report& report, bool residual) {
       !report.lines.empty() || regression_better || (residual && !isAllThatCanBe(report.explainable));
   if (report.causes.empty() || (unexplained && (report.explained < kExplains || regression_better)))
     return unexplained ? Verdict::kUnexplained : Verdict::kNothing;
-  if (!report.ties.empty() && isOf(report.ties.front(), report.causes.front())) return Verdict::kTie;
+  if (tieOfCause(report, report.causes.front())) return Verdict::kTie;
   return report.causes.size() > 1 ? Verdict::kSeveral : Verdict::kFound;
 }
 

@@ -45,5 +45,24 @@ TEST(SetFit, StartsFromTheOtherFormsOfItsEffects) {
       << "score tests try the times";
 }
 
+/// Score tests write what they predict into an effect's size: of a wave, its sine and cosine.
+TEST(SetFit, IsOfOneFormWhateverScoreTestsHavePredicted) {
+  const Planted planted(5, test::Effect::kPositionFriction, 2);
+  const FitData data(planted.evidence, planted.robot, 0.0, EncoderZeros::kKnown, 2);
+  const FitModel base(planted.robot, jointScales(planted.evidence, planted.robot));
+  const SetFitter fitter(data);
+  const SetFit nominal = fitter.nominal(base, Eigen::VectorXd::Zero(base.size()));
+  for (const auto& [effect, others] : {std::pair("position_friction", 3U), {"capstan_eccentricity", 0U}}) {
+    const std::vector<ScoreTest> tests =
+        screen(data, nominal.fit, nominal.weighting, candidatesOf(planted.evidence, base, {effect}));
+    ASSERT_FALSE(tests.empty());
+    EXPECT_NE(tests.front().start.value, tests.front().from) << "predicted";
+    SetFit fit = fitter.extended(nominal, {tests.front()}).front();
+    SetFitter::thin(fit);
+    fitter.relinearise(fit);
+    EXPECT_EQ(fitter.fromOtherForms(fit).size(), others) << effect;
+  }
+}
+
 }  // namespace
 }  // namespace capstan::diagnosis

@@ -96,7 +96,6 @@ TEST(Material, IsTheTipWhereNoJointMoves) {
   EXPECT_FALSE(isMaterial(moving({{}, {}}, {0.9e-3, 1.5e-3, true}), tolerance));
   EXPECT_FALSE(isMaterial(moving({{1e-4, 1e-4, false}}, {5e-3, 9e-3, true}), tolerance))
       << "joints decide where one moves";
-  EXPECT_TRUE(isMaterial(moving({{1e-17, 2e-16, false}}, {5e-3, 9e-3, true}), tolerance)) << "rounding";
   EXPECT_FALSE(isMaterial({}, tolerance));
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "core/diagnosis/evidence/read_evidence.h"
@@ -51,17 +52,19 @@ CaseOutcome outcomeOf(const StudyCase& one, const RecordedCase& recorded, const 
 
 RecordedCase recordCase(const StudyCase& one) {
   constexpr std::uint64_t kOther = 1'000'000'000'000;  // seeds beyond those of all cases
-  for (StudyCase drawn = one;; drawn.seed += kOther) {
-    const bool last = drawn.seed >= one.seed + (kMostRobots - 1) * kOther;
+  std::optional<RecordedCase> last;
+  StudyCase drawn = one;
+  for (std::uint64_t robot = 0; robot < kMostRobots; ++robot, drawn.seed += kOther) {
     try {
       const test::PlantedCase planted = planned(drawn);
       auto [recording, truth] = test::recordWithTruth(planted);
-      if (last || one.population != Population::kVaried || isVisible(truth))
-        return {planted, std::move(recording), std::move(truth)};
+      last = {planted, std::move(recording), std::move(truth)};
+      if (one.population != Population::kVaried || isVisible(last->truth)) break;
     } catch (const test::TooStiff&) {
-      if (last) throw;
+      if (robot + 1 == kMostRobots && !last) throw;
     }
   }
+  return *std::move(last);
 }
 
 CaseOutcome runCase(const StudyCase& one, const Diagnoser& diagnoser, const RunOptions& options) {

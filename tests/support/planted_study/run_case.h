@@ -23,8 +23,8 @@ struct RecordedCase {
 };
 
 /// Draws the case and records it. If the plant cannot integrate the case's robot, or if a varied case has an
-/// effect that is not visible there (kJustVisible), another robot is drawn, by another seed. After
-/// kMostRobots robots in which it is not visible the last one stays.
+/// effect that is not visible there (kJustVisible), another robot is drawn, by another seed. Of kMostRobots
+/// robots in which it is not visible the last one stays.
 RecordedCase recordCase(const StudyCase& one);
 inline constexpr double kJustVisible = 0.8;  ///< Visibility 1, to which cases are sized within a quarter
 inline constexpr std::uint64_t kMostRobots = 20;

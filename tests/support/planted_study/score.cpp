@@ -31,11 +31,16 @@ Hit missOf(const Answer& answer, const Item& item) {
   return first->effect == item.effect ? Hit::kWrongJoint : Hit::kWrong;
 }
 
+/// A tie of the first cause contains the item.
+bool tiedFirst(const Answer& answer, const Item& item) {
+  return answer.verdict == "tie" && !answer.ties.empty() && among(answer.ties.front(), item);
+}
+
 Hit hitOf(const Answer& answer, const Item& item) {
-  if (tied(answer, item)) return Hit::kTie;
+  if (tiedFirst(answer, item)) return Hit::kTie;
   const NamedCause* first = firstCause(answer);
   if (first != nullptr && is(*first, item)) return Hit::kRight;
-  if (first != nullptr && among(answer.causes, item)) return Hit::kLater;
+  if (first != nullptr && (among(answer.causes, item) || tied(answer, item))) return Hit::kLater;
   return missOf(answer, item);
 }
 

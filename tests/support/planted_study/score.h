@@ -12,8 +12,8 @@ namespace capstan::study {
 /// Result of an answer for one planted effect.
 enum class Hit {
   kRight,       ///< right effect and joint named first, not as one of a tie
-  kTie,         ///< a tie that contains the effect is named
-  kLater,       ///< named, but not first
+  kTie,         ///< the first cause is one of a tie that contains the effect
+  kLater,       ///< named, or in a tie of another cause, but not first
   kWrongJoint,  ///< the effect named first is right, its joint is not
   kWrong,       ///< another effect named
   kNothing,     ///< "nothing material"

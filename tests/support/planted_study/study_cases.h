@@ -20,7 +20,8 @@ enum class Robot { kRaven, kArm, kAxis, kCables, kJoints };
 
 /// Populations of cases. kUsual: three robots, one kind of motion, the same sensors, files off by up to 1.4.
 /// Its seeds were used to develop the diagnosis. kVaried: also random robots, four kinds of motion, other
-/// noise, rates and sets of sensors, files off by up to 2, and more or less background texture.
+/// noise, rates and sets of sensors, files off by up to 2, and more or less background texture; robots
+/// are drawn until the effect is visible on one (recordCase()).
 enum class Population { kUsual, kVaried };
 
 /// One case of a study, identified by its name.

@@ -40,12 +40,10 @@ QStringList namesOf(const std::vector<diagnosis::Cause>& causes, const robot::De
 /// The causes, those of a tie together: "payload, arm — or inertia, joint 2".
 QStringList withTies(const diagnosis::Report& report) {
   QStringList names = namesOf(report.causes, report.extended);
-  for (const diagnosis::Tie& tie : report.ties)
-    for (std::size_t k = 0; k < report.causes.size(); ++k)
-      if (report.causes[k].effect == tie.causes.front().effect &&
-          report.causes[k].joint == tie.causes.front().joint)
-        names[static_cast<int>(k)] =
-            namesOf(diagnosis::mostProbableFirst(tie), report.extended).join(QObject::tr(" — or "));
+  for (std::size_t k = 0; k < report.causes.size(); ++k)
+    if (const diagnosis::Tie* tie = diagnosis::tieOfCause(report, report.causes[k]))
+      names[static_cast<int>(k)] =
+          namesOf(diagnosis::mostProbableFirst(*tie), report.extended).join(QObject::tr(" — or "));
   return names;
 }
 
