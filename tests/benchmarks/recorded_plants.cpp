@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <fstream>
@@ -52,11 +53,11 @@ std::string named(const Cause& cause) {
   return text;
 }
 
+/// Whether the effect is in the tie of the first cause.
 bool isTied(const Report& report, const Truth& truth) {
-  for (const diagnosis::Tie& tie : report.ties)
-    for (const Cause& cause : tie.causes)
-      if (truth.isHere(cause.effect, cause.joint)) return true;
-  return false;
+  return report.verdict == Verdict::kTie &&
+         std::ranges::any_of(report.ties.front().causes,
+                             [&](const Cause& cause) { return truth.isHere(cause.effect, cause.joint); });
 }
 
 /// "right", "tie", "not first", or what is wrong. Texture that is named is no error.

@@ -55,8 +55,7 @@ void addTies(const std::vector<CompetitorsOf<Effect>>& competitors, Report& repo
 }
 
 /// Verdict from the causes, ties, lines, explainable and explained shares of the report: a tie only if it is
-/// that of the first cause. `residual`: whether
-/// the residual of the selected model is more than noise.
+/// that of the first cause. `residual`: whether the residual of the selected model is more than noise.
 Verdict verdictOf(const Report& report, bool residual);
 
 /// Sentences about uncertain effects with their sizes, for the end of a summary: " Payload may be there, too

@@ -9,29 +9,34 @@
 namespace capstan::diagnosis {
 namespace {
 
-/// Fit of `effect` in joint 2 from its start `start`.
-SetFit fitFrom(const SetFitter& fitter, const SetFit& nominal, const char* effect, std::size_t start) {
-  const Hypothesis& hypothesis = *hypothesisNamed(effect);
-  const FitModel& base = nominal.fit.model;
-  const auto starts = hypothesis.starts(scalesOf(base.scales(), 2), 2);
-  const FitModel model = base.with(hypothesis, 2, starts.at(start));
-  SetFit set = nominal;
-  set.effects = {{&hypothesis, 2}};
-  set.fit.u = model.startFrom(base, nominal.fit.u);
-  set.fit.model = model;
-  SetFitter::thin(set);
-  fitter.relinearise(set);
-  return set;
-}
+/// A RAVEN-II with an effect in joint 2, and the fit of the nominal robot.
+struct Fitted {
+  explicit Fitted(test::Effect effect) : planted(5, effect, 2) {}
+
+  /// Fit of `effect` in joint 2 from its start `start`.
+  SetFit from(const char* effect, std::size_t start) const {
+    const Hypothesis& hypothesis = *hypothesisNamed(effect);
+    const auto starts = hypothesis.starts(scalesOf(base.scales(), 2), 2);
+    const FitModel model = base.with(hypothesis, 2, starts.at(start));
+    SetFit set = nominal;
+    set.effects = {{&hypothesis, 2}};
+    set.fit.u = model.startFrom(base, nominal.fit.u);
+    set.fit.model = model;
+    SetFitter::thin(set);
+    fitter.relinearise(set);
+    return set;
+  }
+
+  Planted planted;
+  FitData data{planted.evidence, planted.robot, 0.0, EncoderZeros::kKnown, 2};
+  FitModel base{planted.robot, jointScales(planted.evidence, planted.robot)};
+  SetFitter fitter{data};
+  SetFit nominal = fitter.nominal(base, Eigen::VectorXd::Zero(base.size()));
+};
 
 TEST(SetFit, StartsFromTheOtherFormsOfItsEffects) {
-  const Planted planted(5, test::Effect::kStribeckFriction, 2);
-  const FitData data(planted.evidence, planted.robot, 0.0, EncoderZeros::kKnown, 2);
-  const FitModel base(planted.robot, jointScales(planted.evidence, planted.robot));
-  const SetFitter fitter(data);
-  const SetFit nominal = fitter.nominal(base, Eigen::VectorXd::Zero(base.size()));
-  const std::vector<SetFit> stribeck =
-      fitter.fromOtherForms(fitFrom(fitter, nominal, "stribeck_friction", 0));
+  const Fitted of(test::Effect::kStribeckFriction);
+  const std::vector<SetFit> stribeck = of.fitter.fromOtherForms(of.from("stribeck_friction", 0));
   ASSERT_EQ(stribeck.size(), 2U) << "three speeds, of which it has one";
   for (const SetFit& one : stribeck) {
     EXPECT_EQ(one.effects, EffectSet({{hypothesisNamed("stribeck_friction"), 2}}));
@@ -39,28 +44,22 @@ TEST(SetFit, StartsFromTheOtherFormsOfItsEffects) {
   }
   const auto speedOf = [](const SetFit& set) { return set.fit.model.effects().back().start.value.at(1); };
   EXPECT_LT(speedOf(stribeck[0]), speedOf(stribeck[1]));
-  EXPECT_TRUE(fitter.fromOtherForms(fitFrom(fitter, nominal, "viscous_friction", 0)).empty())
-      << "it has one number";
-  EXPECT_TRUE(fitter.fromOtherForms(fitFrom(fitter, nominal, "encoder_slip", 0)).empty())
-      << "score tests try the times";
+  EXPECT_TRUE(of.fitter.fromOtherForms(of.from("viscous_friction", 0)).empty()) << "it has one number";
+  EXPECT_TRUE(of.fitter.fromOtherForms(of.from("encoder_slip", 0)).empty()) << "score tests try the times";
 }
 
 /// Score tests write what they predict into an effect's size: of a wave, its sine and cosine.
 TEST(SetFit, IsOfOneFormWhateverScoreTestsHavePredicted) {
-  const Planted planted(5, test::Effect::kPositionFriction, 2);
-  const FitData data(planted.evidence, planted.robot, 0.0, EncoderZeros::kKnown, 2);
-  const FitModel base(planted.robot, jointScales(planted.evidence, planted.robot));
-  const SetFitter fitter(data);
-  const SetFit nominal = fitter.nominal(base, Eigen::VectorXd::Zero(base.size()));
+  const Fitted of(test::Effect::kPositionFriction);
   for (const auto& [effect, others] : {std::pair("position_friction", 3U), {"capstan_eccentricity", 0U}}) {
-    const std::vector<ScoreTest> tests =
-        screen(data, nominal.fit, nominal.weighting, candidatesOf(planted.evidence, base, {effect}));
+    const std::vector<ScoreTest> tests = screen(of.data, of.nominal.fit, of.nominal.weighting,
+                                                candidatesOf(of.planted.evidence, of.base, {effect}));
     ASSERT_FALSE(tests.empty());
     EXPECT_NE(tests.front().start.value, tests.front().from) << "predicted";
-    SetFit fit = fitter.extended(nominal, {tests.front()}).front();
+    SetFit fit = of.fitter.extended(of.nominal, {tests.front()}).front();
     SetFitter::thin(fit);
-    fitter.relinearise(fit);
-    EXPECT_EQ(fitter.fromOtherForms(fit).size(), others) << effect;
+    of.fitter.relinearise(fit);
+    EXPECT_EQ(of.fitter.fromOtherForms(fit).size(), others) << effect;
   }
 }
 

@@ -74,7 +74,7 @@ Report reportOf(std::vector<Cause> causes) {
   return report;
 }
 
-TEST(Verdict, IsATieOnlyIfTheFirstCauseHasEquals) {
+TEST(Verdict, IsATieOnlyIfTheFirstCauseHasCompetingExplanations) {
   const Cause inertia{.effect = "inertia", .joint = 1, .parameters = {}},
       compliance{.effect = "cable_compliance", .joint = 3, .parameters = {}};
   Report report = reportOf({inertia, compliance});

@@ -25,15 +25,6 @@ constexpr int kCauseRole = Qt::UserRole + 1;
 
 QString shown(const std::string& words) { return QString::fromStdString(words); }
 
-bool sameCause(const Cause& a, const Cause& b) { return a.effect == b.effect && a.joint == b.joint; }
-
-bool isTied(const diagnosis::Report& report, const Cause& cause) {
-  return std::any_of(report.ties.begin(), report.ties.end(), [&](const diagnosis::Tie& tie) {
-    return std::any_of(tie.causes.begin(), tie.causes.end(),
-                       [&](const Cause& other) { return sameCause(cause, other); });
-  });
-}
-
 /// Gain as "q2 on other data: 1.31 → 0.62 deg".
 QString gainWords(const diagnosis::Gain& gain) {
   if (gain.channel.empty()) return {};
@@ -95,7 +86,7 @@ void CauseTree::showReport(const diagnosis::Report& report) {
   causes_.clear();
   tied_.clear();
   for (const Cause& cause : report.causes)
-    if (!isTied(report, cause)) causes_.push_back(cause);
+    if (!diagnosis::tieOfCause(report, cause)) causes_.push_back(cause);
   alone_ = causes_.size();
   for (const diagnosis::Tie& tie : report.ties) {
     const std::vector<Cause> tied = diagnosis::mostProbableFirst(tie);
