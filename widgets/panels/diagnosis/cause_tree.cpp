@@ -5,7 +5,6 @@
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QTreeWidgetItemIterator>
-#include <algorithm>
 
 #include "core/diagnosis/report/report_tables.h"
 #include "core/diagnosis/report/shown.h"
