@@ -90,6 +90,18 @@ TEST(StudyCases, VariedOnesDifferInMoreThanTheirSeed) {
   EXPECT_GT(without_encoders, 0);
 }
 
+/// The first robot drawn for the hysteresis does not show it, and another one is drawn; the payload is
+/// visible on the first.
+TEST(StudyCases, VariedOnesShowTheirEffects) {
+  for (const auto& [name, again] : {std::pair("one cable_hysteresis cables 1001010 varied", true),
+                                    {"one payload cables 1001018 varied", false}}) {
+    const StudyCase one = caseNamed(name);
+    const RecordedCase shown = recordCase(one);
+    EXPECT_EQ(shown.drawn.seed != one.seed, again) << name;
+    EXPECT_GE(shown.truth.items.front().visibility, kJustVisible) << name;
+  }
+}
+
 /// The controller of a plant that is unstable, or has too little torque, does not hold it near the way.
 TEST(StudyCases, VariedRobotsFollowEveryStyleWithinTheirLimits) {
   for (StudyCase one : casesOf(variedOptions())) {

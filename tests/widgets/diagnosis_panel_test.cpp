@@ -114,9 +114,28 @@ TEST_F(Diagnosis, ATieSaysWhatWouldPartIt) {
   panel->showReport(sample(Verdict::kTie));
   EXPECT_THAT(headline(), HasSubstr("Cannot be distinguished"));
   EXPECT_THAT(causes(), HasSubstr("One of these (probabilities relative to each other):"));
-  EXPECT_THAT(panel->summary().toStdString(), HasSubstr("To distinguish them: Reverse joint 2"));
+  EXPECT_THAT(panel->summary().toStdString(), ::testing::ContainsRegex("To distinguish backlash .* and .*"
+                                                                       "hysteresis .*: Reverse joint 2"));
   EXPECT_EQ(QString::fromStdString(causes()).count("half width"), 1) << "the tied cause is listed once";
   test::grab(*panel, "diagnosis_panel_tie");
+}
+
+TEST_F(Diagnosis, ATieKeepsItsPlaceAmongTheCauses) {
+  Report report = sample(Verdict::kSeveral);
+  const diagnosis::Tie tie = sample(Verdict::kTie).ties.front();
+  ASSERT_EQ(report.causes.front().effect, tie.causes.front().effect);
+  report.ties = {tie};
+  report.verdict = Verdict::kTie;  // its first cause is tied
+  panel->showReport(report);
+  const std::string first = causes();
+  EXPECT_LT(first.find("One of these"), first.find("Eccentric capstan")) << first;
+  std::ranges::reverse(report.causes);
+  report.verdict = Verdict::kSeveral;
+  panel->showReport(report);
+  const std::string second = causes();
+  EXPECT_GT(second.find("One of these"), second.find("Eccentric capstan")) << second;
+  EXPECT_EQ(panel->causes().chosen()->effect, "capstan_eccentricity");
+  EXPECT_THAT(headline(), ::testing::ContainsRegex("Several causes: .*; backlash .* — or .*hysteresis"));
 }
 
 TEST_F(Diagnosis, NothingAndUnexplainedHaveNoCauseButPictures) {

@@ -15,7 +15,7 @@ constexpr double kCentreSigma = 0.15;     // prior σ of a centre of mass, over 
 constexpr double kMostCentre = 0.3;       // largest change of a centre of mass, over the same distance
 constexpr double kEffectPrior = 3.0;      // prior σ of an effect's number, over EffectStart::scale
 constexpr double kBackgroundPrior = 0.5;  // prior σ of a background effect, over Hypothesis::background
-constexpr double kFarShape = 8.0;         // largest factor between speeds, times, lengths and their starts
+constexpr double kFarShape = 8.0;         // of speeds, times and lengths beyond those of all starts
 
 }  // namespace
 
@@ -93,6 +93,16 @@ EffectTerm FitModel::backgroundTerm(const Hypothesis& hypothesis, int joint) con
   return term;
 }
 
+/// Least and largest value of number k in all starts of the effect, and in that of the term.
+std::pair<double, double> FitModel::shapesOf(const EffectTerm& term, std::size_t k) const {
+  double least = term.start.value[k], most = least;
+  for (const EffectStart& start : term.hypothesis->starts(scalesOf(scales_, term.joint), term.joint)) {
+    least = std::min(least, start.value[k]);
+    most = std::max(most, start.value[k]);
+  }
+  return {least, most};
+}
+
 void FitModel::addTerm(EffectTerm term) {
   const auto& numbers = term.hypothesis->facts->parameters;
   CAPSTAN_CHECK(term.start.value.size() == numbers.size() && term.start.scale.size() == numbers.size());
@@ -120,8 +130,9 @@ void FitModel::addTerm(EffectTerm term) {
     } else if (start > 0.0 && numbers[k].low > 0.0) {  // a speed, duration or length, which is never zero
       p.logarithmic = true;
       p.scale = scale / start;
-      p.low = std::max(p.low, start / kFarShape);
-      p.high = std::min(p.high, start * kFarShape);
+      const auto [least, most] = shapesOf(term, k);
+      p.low = std::max(p.low, least / kFarShape);
+      p.high = std::min(p.high, most * kFarShape);
     }
     term.index[k] = size();
     parameters_.push_back(std::move(p));

@@ -78,7 +78,7 @@ class FitModel {
   /// Log prior density of the values at u over that of the nominal robot in good order [nats]:
   /// −½ Σ (u / prior)² of nominal parameters and background effects, −½ Σ (v / (kEffectPrior scale))² of the
   /// numbers v of effects that are zero in a robot without the effect. The time of an event is uniform over
-  /// the recording; logPrior() of a set of effects counts its instants.
+  /// the recording; SetPrior counts its instants.
   double logPrior(const Eigen::VectorXd& u) const;
   /// u with every value within its bounds.
   Eigen::VectorXd clipped(const Eigen::VectorXd& u) const;
@@ -97,6 +97,7 @@ class FitModel {
                  const Spread& spread);
   void addTerm(EffectTerm term);
   int addBegun(const EffectTerm& term);
+  std::pair<double, double> shapesOf(const EffectTerm& term, std::size_t k) const;
   EffectTerm backgroundTerm(const Hypothesis& hypothesis, int joint) const;
   FitModel rebuilt(std::vector<EffectTerm> terms) const;
 

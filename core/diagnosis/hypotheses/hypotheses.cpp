@@ -55,6 +55,20 @@ std::vector<EffectStart> Hypothesis::starts(const JointScales& scales, int joint
   return all;
 }
 
+bool Hypothesis::haveOneForm(const EffectStart& a, const EffectStart& b) const {
+  for (std::size_t k = 1; k < a.value.size(); ++k)
+    if (neutral[k] != 0.0 && a.value[k] != b.value[k]) return false;
+  return true;
+}
+
+int Hypothesis::forms(const JointScales& scales, int joint) const {
+  std::vector<EffectStart> different;
+  for (EffectStart& start : starts(scales, joint))
+    if (std::ranges::none_of(different, [&](const EffectStart& one) { return haveOneForm(one, start); }))
+      different.push_back(std::move(start));
+  return std::max(1, static_cast<int>(different.size()));
+}
+
 double stretchOfRange(const JointScales& s) {
   return (s.stretch + s.load / s.radius / s.stiffness) / (s.radius * s.range);
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <string>
 
+#include "core/diagnosis/selection/verdict.h"
+
 namespace capstan::diagnosis {
 namespace {
 
@@ -44,6 +46,14 @@ std::vector<Candidate> withProbabilitiesOf(const Selection& final, std::vector<C
   return candidates;
 }
 
+/// Whether the selected effects leave more than noise of the sensors and inputs.
+bool leavesMoreThanNoise(const SelectionWithData& found) {
+  const Selection& selection = found.selection;
+  for (Eigen::Index c = 0; c < selection.best_squares.sum.rows(); ++c)
+    if (selection.best_squares.meanSquare(c) > mostByChance(*found.data, selection, c)) return true;
+  return false;
+}
+
 bool cancelled(const base::Progress* progress) { return progress && progress->cancelled(); }
 
 }  // namespace
@@ -69,7 +79,7 @@ SelectionWithData selectOverHorizons(const std::vector<Evidence>& recordings,
   how.most_causes = options.most_causes;
   SelectionWithData second = over(kHorizons[1], &first.selection, how);
   if (cancelled(progress)) return first;
-  if (second.selection.effects.empty()) return second;
+  if (second.selection.effects.empty() || !leavesMoreThanNoise(second)) return second;
   how.progress_end = options.progress_end;
   how.only = namesOf(second.selection);
   SelectionWithData confirmed = over(kFarHorizon, &second.selection, how);

@@ -12,7 +12,6 @@
 #include "core/diagnosis/selection/optimism.h"
 #include "core/diagnosis/selection/search_limits.h"
 #include "core/diagnosis/selection/search_progress.h"
-#include "core/diagnosis/selection/set_prior.h"
 #include "core/diagnosis/selection/tested_candidates.h"
 
 namespace capstan::diagnosis {
@@ -38,9 +37,8 @@ class Search {
     SetFit base = fitter_.nominal(nominal, start ? nominal.carry(start->model, start->u)
                                                  : Eigen::VectorXd(Eigen::VectorXd::Zero(nominal.size())));
     found_.input_noise = inputNoise(data_, base.fit, base.weighting);
-    for (const Evidence& evidence : recordings_)
-      found_.instants = std::max(found_.instants, evidence.duration() / kEventStep);
-    found_.candidates = static_cast<int>(candidatesOf(recordings_, nominal, options_.only).size());
+    found_.prior = SetPrior(recordings_, nominal.scales(),
+                            static_cast<int>(candidatesOf(recordings_, nominal, options_.only).size()));
     score_.emplace(scoredChannels(data_, found_.input_noise), data_.blocks(), kDraws, options_.seed);
     keep(std::move(base));
     if (start) tryStart(*start);
@@ -59,7 +57,7 @@ class Search {
     return !found_.complete || cancelled(progress_);
   }
 
-  double prior(const SetFit& set) const { return logPrior(set, found_.candidates, found_.instants); }
+  double prior(const SetFit& set) const { return found_.prior.of(set); }
 
   /// Score on held-out blocks and log prior of a settled set [nats].
   double value(const EffectSet& effects) const { return value_.at(effects); }
@@ -225,8 +223,7 @@ class Search {
     if (effects.size() >= static_cast<std::size_t>(options_.most_causes)) return;
     SetFit& parent = at(effects);
     if (parent.squares.sum.size() == 0) return;  // its simulation diverged
-    const double cost =
-        logPrior(effects.size(), found_.candidates) - logPrior(effects.size() + 1, found_.candidates);
+    const double cost = found_.prior.costOfOneMore(effects.size());
     if (!effects.empty() && room(parent) < std::max(least, cost)) return;
     fitter_.relinearise(parent);
     const std::vector<EffectCandidate> candidates =
@@ -303,8 +300,7 @@ class Search {
 
   /// Fall of the log prior from a set to a larger one [nats].
   double costOf(const EffectSet& effects, const EffectSet& with) const {
-    return logPrior(effects, found_.candidates, found_.instants) -
-           logPrior(with, found_.candidates, found_.instants);
+    return found_.prior.of(effects) - found_.prior.of(with);
   }
 
   /// Fits to the end the best trials that are better than the set which they extend; far from an explanation

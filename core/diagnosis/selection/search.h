@@ -8,6 +8,7 @@
 #include "core/diagnosis/report/report.h"
 #include "core/diagnosis/selection/posterior.h"
 #include "core/diagnosis/selection/set_fit.h"
+#include "core/diagnosis/selection/set_prior.h"
 
 namespace capstan::diagnosis {
 
@@ -25,8 +26,7 @@ struct SearchResult {
   EffectSet best;
   std::map<EffectSet, SetFit> sets;  ///< all tried sets; thinned except the best and the empty one
   Eigen::VectorXd input_noise;       ///< RMS per channel that noise of the inputs causes (inputNoise())
-  double instants = 1.0;             ///< instants of an effect that happens once that score tests try
-  int candidates = 0;                ///< number of effects that this robot and these sensors can have
+  SetPrior prior;                    ///< prior of the sets
   std::vector<Candidate> tested;     ///< tested candidates, in the order of the expansions
   bool complete = true;              ///< false: ended by kMostWork
 };
@@ -36,7 +36,7 @@ struct SearchResult {
 /// public benchmark was said to have (measured_diagnosis), four times as much did not.
 inline constexpr double kMostWork = 2e9;
 
-/// Best-first search over sets of effects. Sets are ordered by PredictiveScore plus logPrior(). The expansion
+/// Best-first search over sets of effects. Sets are ordered by PredictiveScore plus SetPrior. The expansion
 /// of a set tests every hypothesis on every joint with score tests and adds the most likely ones in short
 /// refits; the best of these new sets are fitted until convergence. A set is not expanded if its residuals
 /// exceed the sensors' noise by less than one more effect costs. A new best set is first fitted from the

@@ -5,7 +5,6 @@
 #include "core/diagnosis/fit/input_noise.h"
 #include "core/diagnosis/selection/optimism.h"
 #include "core/diagnosis/selection/search_progress.h"
-#include "core/diagnosis/selection/set_prior.h"
 
 namespace capstan::diagnosis {
 namespace {
@@ -27,8 +26,7 @@ std::vector<Model> modelsOf(const SearchResult& found, const PredictiveScore& sc
   std::vector<Model> models;
   for (const auto& [effects, held_out] : heldOutScores(found.sets, score)) {
     const SetFit& set = found.sets.at(effects);
-    models.push_back({effects, &set.squares, logPrior(set, found.candidates, found.instants),
-                      held_out - score.of(set.squares)});
+    models.push_back({effects, &set.squares, found.prior.of(set), held_out - score.of(set.squares)});
   }
   return models;
 }

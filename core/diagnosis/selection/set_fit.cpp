@@ -99,20 +99,12 @@ std::vector<SetFit> SetFitter::reduced(const std::vector<Removal>& removals) con
 
 namespace {
 
-/// Whether two starts of an effect differ in its size alone: in its first number, and in numbers whose
-/// neutral value is 0, which score tests have changed.
-bool haveOneForm(const Hypothesis& hypothesis, const EffectStart& a, const EffectStart& b) {
-  for (std::size_t k = 1; k < a.value.size(); ++k)
-    if (hypothesis.neutral[k] != 0.0 && a.value[k] != b.value[k]) return false;
-  return true;
-}
-
-/// Starts of the effect of `term` in other forms.
+/// Starts of the effect of `term` in other forms. Score tests have changed its size.
 std::vector<EffectStart> otherForms(const EffectTerm& term, const JointScales& scales) {
   if (std::ranges::any_of(term.hypothesis->facts->parameters, isEventTime)) return {};
   std::vector<EffectStart> others = term.hypothesis->starts(scales, term.joint);
   std::erase_if(others,
-                [&](const EffectStart& start) { return haveOneForm(*term.hypothesis, start, term.start); });
+                [&](const EffectStart& start) { return term.hypothesis->haveOneForm(start, term.start); });
   return others;
 }
 

@@ -1,21 +1,33 @@
 #include "core/diagnosis/selection/set_prior.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/diagnosis/selection/posterior.h"
+#include "core/diagnosis/selection/screening.h"
 
 namespace capstan::diagnosis {
 
-double logPrior(const SetFit& set, int candidates, double instants) {
-  return logPrior(set.effects, candidates, instants) + set.fit.model.logPrior(set.fit.u);
+SetPrior::SetPrior(const std::vector<Evidence>& recordings, std::vector<JointScales> scales, int candidates)
+    : scales_(std::move(scales)), candidates_(candidates) {
+  for (const Evidence& evidence : recordings)
+    instants_ = std::max(instants_, evidence.duration() / kEventStep);
 }
 
-double logPrior(const EffectSet& effects, int candidates, double instants) {
-  double prior = logPrior(effects.size(), candidates);
-  for (const EffectCandidate& effect : effects)
-    for (const robot::EffectParameter& parameter : effect.hypothesis->facts->parameters)
-      if (isEventTime(parameter)) prior -= std::log(instants);
+double SetPrior::of(const EffectSet& effects) const {
+  double prior = logPrior(effects.size(), candidates_);
+  for (const EffectCandidate& effect : effects) {
+    const Hypothesis& hypothesis = *effect.hypothesis;
+    const bool once = std::ranges::any_of(hypothesis.facts->parameters, isEventTime);
+    prior -= std::log(once ? instants_ : hypothesis.forms(scalesOf(scales_, effect.joint), effect.joint));
+  }
   return prior;
+}
+
+double SetPrior::of(const SetFit& set) const { return of(set.effects) + set.fit.model.logPrior(set.fit.u); }
+
+double SetPrior::costOfOneMore(std::size_t effects) const {
+  return logPrior(effects, candidates_) - logPrior(effects + 1, candidates_);
 }
 
 }  // namespace capstan::diagnosis

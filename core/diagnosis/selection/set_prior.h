@@ -1,14 +1,33 @@
 #pragma once
 
+#include <vector>
+
+#include "core/diagnosis/evidence/evidence.h"
 #include "core/diagnosis/selection/set_fit.h"
 
 namespace capstan::diagnosis {
 
-/// Log prior of the set and of the instants of its effects that happen once: such an effect may have happened
-/// in any of the `instants` that score tests try.
-double logPrior(const EffectSet& effects, int candidates, double instants);
-/// The same with the log prior of the fitted values (FitModel::logPrior()): masses, friction and effects that
-/// are far from usual need more evidence.
-double logPrior(const SetFit& set, int candidates, double instants);
+/// Prior of sets of effects. An effect whose law has several forms (Hypothesis::forms(): periods, speeds,
+/// time constants), and one that happens once at any of many instants, is as probable as any other: its
+/// probability is shared by its forms or instants, because the search takes the best of them.
+class SetPrior {
+ public:
+  SetPrior() = default;
+  /// `candidates`: number of effects that the robot and its sensors can have.
+  SetPrior(const std::vector<Evidence>& recordings, std::vector<JointScales> scales, int candidates);
+
+  /// Log prior [nats].
+  double of(const EffectSet& effects) const;
+  /// The same with the log prior of the fitted values (FitModel::logPrior()): masses, friction and effects
+  /// that are far from usual need more evidence.
+  double of(const SetFit& set) const;
+  /// Fall of the log prior by one more effect of a single form [nats].
+  double costOfOneMore(std::size_t effects) const;
+
+ private:
+  std::vector<JointScales> scales_;
+  int candidates_ = 0;
+  double instants_ = 1.0;  ///< instants of an effect that happens once that score tests try
+};
 
 }  // namespace capstan::diagnosis

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "core/diagnosis/fit/input_noise.h"
 #include "core/diagnosis/hypotheses/pose_hypotheses.h"
@@ -18,10 +19,15 @@ namespace {
 
 constexpr double kFar = 4.0;  // times what may be chance: no test needed
 
-/// Of the sensor, and of what those of loads and motors bring in.
+/// Mean square of the noise of the simulation's inputs, and of torques between the rows.
+double inputSquare(const Selection& s, Eigen::Index c) {
+  return s.input_noise[c] * s.input_noise[c] + s.torque_noise[c] * s.torque_noise[c];
+}
+
+/// Mean square of all noise of a channel.
 double noiseSquare(const FitData& data, const Selection& s, Eigen::Index c) {
   const double sensor = data.channels()[static_cast<std::size_t>(c)].noise;
-  return sensor * sensor + s.input_noise[c] * s.input_noise[c];
+  return sensor * sensor + inputSquare(s, c);
 }
 
 /// Of "rad or m" what the joint goes by.
@@ -63,6 +69,34 @@ std::vector<FoundParameter> parametersOf(const FitModel& model, std::size_t effe
   return found;
 }
 
+/// Index in FitModel::effects(); empty: the model does not have the effect as a cause.
+std::optional<std::size_t> indexOf(const FitModel& model, const EffectCandidate& effect) {
+  for (std::size_t k = 0; k < model.effects().size(); ++k) {
+    const EffectTerm& term = model.effects()[k];
+    if (!term.background && term.hypothesis == effect.hypothesis && term.joint == effect.joint) return k;
+  }
+  return std::nullopt;
+}
+
+/// Adds to each σ the spread of the number over the probable sets with the effect (Bayesian model averaging,
+/// Hoeting, Madigan, Raftery and Volinsky, Statistical Science 14, 1999): the fit of one set does not know
+/// what other effects would have taken of it.
+void addSpread(const Selection& s, const EffectCandidate& effect, std::vector<FoundParameter>& parameters) {
+  double probability = 0.0;
+  std::vector<double> variance(parameters.size(), 0.0);
+  for (const ProbableSet& one : s.probable) {
+    const std::optional<std::size_t> index = indexOf(one.set.fit.model, effect);
+    if (!index) continue;
+    const std::vector<double> values = one.set.fit.model.effectValues(*index, one.set.fit.u);
+    probability += one.probability;
+    for (std::size_t i = 0; i < parameters.size(); ++i)
+      variance[i] += one.probability * std::pow(values[i] - parameters[i].value, 2);
+  }
+  for (std::size_t i = 0; i < parameters.size(); ++i)
+    if (parameters[i].sigma > 0.0 && probability > 0.0)
+      parameters[i].sigma = std::hypot(parameters[i].sigma, std::sqrt(variance[i] / probability));
+}
+
 std::string nameOf(const std::string& effect, int joint) {
   std::string title = titleOf(effect);
   return joint > 0 ? fmt::format("{} (joint {})", title, joint) : title;
@@ -82,17 +116,15 @@ int channelOf(const FitData& data, const EffectCandidate& effect, const BlockSqu
 }
 
 /// Effect of a fit: parameters and displacement.
-Cause sizeOf(const FitData& data, const Fit& fit, const EffectCandidate& effect, double probability,
-             const Eigen::MatrixXd& covariance, const robot::Description& robot) {
+Cause sizeOf(const FitData& data, const Selection& s, const Fit& fit, const EffectCandidate& effect,
+             double probability, const Eigen::MatrixXd& covariance, const robot::Description& robot) {
   Cause cause;
   cause.effect = effect.hypothesis->name();
   cause.joint = effect.joint;
   cause.probability = probability;
-  for (std::size_t k = 0; k < fit.model.effects().size(); ++k) {
-    const EffectTerm& term = fit.model.effects()[k];
-    if (!term.background && term.hypothesis == effect.hypothesis && term.joint == effect.joint)
-      cause.parameters = parametersOf(fit.model, k, fit.u, covariance);
-  }
+  if (const std::optional<std::size_t> index = indexOf(fit.model, effect))
+    cause.parameters = parametersOf(fit.model, *index, fit.u, covariance);
+  addSpread(s, effect, cause.parameters);
   cause.moves = displacementsBy(data, fit, effect, robot);
   return cause;
 }
@@ -105,14 +137,14 @@ std::vector<Cause> uncertainOf(const FitData& data, const Selection& s, const ro
   SetFitter(data).relinearise(most_probable);
   const Eigen::MatrixXd covariance = covarianceOf(data, most_probable.fit, most_probable.weighting);
   for (const UncertainEffect& one : s.uncertain)
-    causes.push_back(sizeOf(data, most_probable.fit, one.effect, one.probability, covariance, robot));
+    causes.push_back(sizeOf(data, s, most_probable.fit, one.effect, one.probability, covariance, robot));
   return causes;
 }
 
 Cause causeOf(const FitData& data, const Selection& s, const SelectedEffect& selected,
               const Eigen::MatrixXd& covariance, const robot::Description& robot) {
   const EffectCandidate& effect = selected.effect;
-  Cause cause = sizeOf(data, s.best, effect, selected.probability, covariance, robot);
+  Cause cause = sizeOf(data, s, s.best, effect, selected.probability, covariance, robot);
   cause.loss = selected.loss;
   cause.gain = gainOf(data, selected.without, s.best_squares,
                       channelOf(data, effect, selected.without, s.best_squares));
@@ -127,7 +159,7 @@ bool isTooShort(const FitData& data, const Selection& s) {
   return false;
 }
 
-std::string summaryOf(const Report& report) {
+std::string verdictText(const Report& report) {
   const double percent = 100.0 * report.explained;
   switch (report.verdict) {
     case Verdict::kNothing:
@@ -149,7 +181,7 @@ std::string summaryOf(const Report& report) {
   }
 }
 
-/// Sentences about ties that the summary does not begin with.
+/// Sentences about ties that verdictText() does not name.
 std::string otherTiesText(const Report& report) {
   std::string text;
   for (std::size_t k = report.verdict == Verdict::kTie ? 1 : 0; k < report.ties.size(); ++k)
@@ -165,8 +197,7 @@ std::string experimentFor(const NamedEffect& effect) {
 
 double mostByChance(const FitData& data, const Selection& s, Eigen::Index c) {
   const double sensor = kBeyondNoise * data.channels()[static_cast<std::size_t>(c)].noise;
-  return sensor * sensor +
-         kSwings * (s.input_noise[c] * s.input_noise[c] + s.torque_noise[c] * s.torque_noise[c]);
+  return sensor * sensor + kSwings * inputSquare(s, c);
 }
 
 double explainedShare(const FitData& data, const Selection& s) {
@@ -232,6 +263,8 @@ Verdict verdictOf(const Report& report, bool residual) {
   return report.causes.size() > 1 ? Verdict::kSeveral : Verdict::kFound;
 }
 
+std::string summaryOf(const Report& report) { return verdictText(report) + otherTiesText(report); }
+
 std::string uncertainText(const std::vector<Cause>& effects) {
   std::string text;
   for (const Cause& one : effects) {
@@ -253,7 +286,7 @@ void judge(const FitData& data, const Selection& s, const robot::Description& ro
   addTies(s.competitors, report);
   report.uncertain = uncertainOf(data, s, robot);
   report.verdict = verdictOf(report, hasResidual(data, s, report.material));
-  report.summary = summaryOf(report) + otherTiesText(report) + uncertainText(report.uncertain);
+  report.summary = summaryOf(report) + uncertainText(report.uncertain);
   if (report.verdict == Verdict::kNothing && isTooShort(data, s))
     report.summary =
         "Too little motion to say: the refitted robot explains what it was fitted to, and not "

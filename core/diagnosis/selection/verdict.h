@@ -9,7 +9,7 @@ namespace capstan::diagnosis {
 
 /// Share of the residual beyond noise that the selected effects explain, between 0 and 1:
 /// 1 − (S_after − n noise²) / (S_before − n noise²), in the channel with the largest ratio of residual to
-/// noise.
+/// noise (of the sensor, of the simulation's inputs and of motor torques between the rows).
 double explainedShare(const FitData& data, const Selection& selection);
 
 /// Largest mean square of channel c that noise alone can cause: noise of its sensor, of the simulation's
@@ -58,14 +58,18 @@ void addTies(const std::vector<CompetitorsOf<Effect>>& competitors, Report& repo
 /// that of the first cause. `residual`: whether the residual of the selected model is more than noise.
 Verdict verdictOf(const Report& report, bool residual);
 
+/// Verdict, causes and ties in sentences.
+std::string summaryOf(const Report& report);
+
 /// Sentences about uncertain effects with their sizes, for the end of a summary: " Payload may be there, too
 /// (probability 41 %): mass 0.021 ± 0.012 kg, moves …".
 std::string uncertainText(const std::vector<Cause>& effects);
 
 /// Fills verdict, causes, also_measurable, uncertain, ties, posterior, explained and summary of the report
 /// from the selection; Report::material, explainable and lines are inputs. The σ of a cause's parameter
-/// combines three parts: the σ of the fit; 1 % of the parameter, because laws are simplified; and half of the
-/// size that the effect has on a robot in good order (Hypothesis::background).
+/// combines four parts: the σ of the fit; its spread over the probable sets with the effect; 1 % of the
+/// parameter, because laws are simplified; and half of the size that the effect has on a robot in good order
+/// (Hypothesis::background).
 void judge(const FitData& data, const Selection& selection, const robot::Description& robot, Report& report);
 
 }  // namespace capstan::diagnosis

@@ -3,7 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/diagnosis/hypotheses/joint_scales.h"
+#include "core/diagnosis/selection/screening.h"
+#include "core/diagnosis/selection/set_prior.h"
 #include "tests/core/diagnosis/planted_evidence.h"
 
 namespace capstan::diagnosis {
@@ -61,6 +65,21 @@ TEST(SetFit, IsOfOneFormWhateverScoreTestsHavePredicted) {
     of.fitter.relinearise(fit);
     EXPECT_EQ(of.fitter.fromOtherForms(fit).size(), others) << effect;
   }
+}
+
+TEST(SetPrior, SharesAProbabilityByTheFormsOfALaw) {
+  const Planted planted(5, test::Effect::kStribeckFriction, 2);
+  const FitModel base(planted.robot, jointScales(planted.evidence, planted.robot));
+  const SetPrior prior(planted.evidence, base.scales(), 40);
+  const auto of = [&](const char* effect) { return prior.of(EffectSet({{hypothesisNamed(effect), 2}})); };
+  const double one_form = of("viscous_friction");
+  EXPECT_NEAR(of("backlash"), one_form - std::log(3.0), 1e-12) << "three ways of its damper";
+  EXPECT_DOUBLE_EQ(of("capstan_eccentricity"), one_form) << "sine and cosine are sizes";
+  EXPECT_NEAR(of("stribeck_friction"), one_form - std::log(3.0), 1e-12) << "three speeds";
+  EXPECT_NEAR(of("position_friction"), one_form - std::log(4.0), 1e-12) << "four periods";
+  const double instants = planted.evidence.front().duration() / kEventStep;
+  EXPECT_NEAR(of("encoder_slip"), one_form - std::log(instants), 1e-12);
+  EXPECT_DOUBLE_EQ(prior.of(EffectSet()) - one_form, prior.costOfOneMore(0));
 }
 
 }  // namespace

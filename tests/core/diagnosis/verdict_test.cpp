@@ -1,11 +1,13 @@
 // The words and sizes of a verdict: of effects that may be there, too.
 #include "core/diagnosis/selection/verdict.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "core/diagnosis/hypotheses/joint_scales.h"
+#include "core/diagnosis/report/report_tables.h"
 #include "core/diagnosis/report/shown.h"
 #include "tests/core/diagnosis/planted_evidence.h"
 
@@ -67,6 +69,29 @@ TEST(Verdict, GivesTheSizeOfAnEffectThatMayBeThere) {
   EXPECT_NE(report.summary.find("; moves joint 2 by "), std::string::npos) << report.summary;
 }
 
+/// Two sets with the effect: each σ has their spread as well.
+TEST(Verdict, OfASizeIsAsSureAsTheProbableSetsAgree) {
+  const Planted planted(1);
+  const FitData data(planted.evidence, planted.robot, 0.0, EncoderZeros::kKnown, 2);
+  Selection selection = undecided(data, planted);
+  const auto sigmaOf = [&] {
+    Report report;
+    judge(data, selection, planted.robot, report);
+    return report.uncertain.front().parameters.front().sigma;
+  };
+  const double of_one = sigmaOf();
+  ProbableSet other = selection.probable.front();
+  const FitModel& model = other.set.fit.model;
+  const int index = model.effects().back().index.front();
+  ASSERT_GE(index, 0);
+  constexpr double kFurther = 0.5;  // of the parameter's scale
+  other.set.fit.u[index] += kFurther;
+  other.probability = 0.29;
+  selection.probable = {selection.probable[0], other};
+  const double further = kFurther * model.parameters()[static_cast<std::size_t>(index)].scale;
+  EXPECT_NEAR(sigmaOf(), std::hypot(of_one, std::sqrt(0.29 / (0.58 + 0.29)) * further), 1e-9 * of_one);
+}
+
 Report reportOf(std::vector<Cause> causes) {
   Report report;
   report.explained = 1.0;
@@ -83,6 +108,23 @@ TEST(Verdict, IsATieOnlyIfTheFirstCauseHasCompetingExplanations) {
   EXPECT_EQ(verdictOf(report, false), Verdict::kSeveral);
   report.ties = {tieOf(inertia, {{"payload", 0}}, {0.6, 0.4}), report.ties.front()};
   EXPECT_EQ(verdictOf(report, false), Verdict::kTie);
+}
+
+TEST(Verdict, NamesTheTiesOfLaterCausesToo) {
+  const Cause inertia{.effect = "inertia", .joint = 1, .parameters = {}},
+      compliance{.effect = "cable_compliance", .joint = 3, .parameters = {}};
+  Report report = reportOf({inertia, compliance});
+  const Tie of_first = tieOf(inertia, {{"payload", 0}}, {0.6, 0.4}),
+            of_second = tieOf(compliance, {{"inertia", 3}}, {0.7, 0.3});
+  const std::string second = fmt::format(" {} (joint 3) and {} (joint 3) cannot be distinguished.",
+                                         titleOf("cable_compliance"), titleOf("inertia"));
+  report.verdict = Verdict::kSeveral;
+  report.ties = {of_second};
+  EXPECT_TRUE(summaryOf(report).ends_with("of what is beyond noise)." + second)) << summaryOf(report);
+  report.verdict = Verdict::kTie;
+  report.ties = {of_first, of_second};
+  EXPECT_EQ(summaryOf(report), fmt::format("This recording cannot distinguish {} (joint 1) and {}.{}",
+                                           titleOf("inertia"), titleOf("payload"), second));
 }
 
 }  // namespace

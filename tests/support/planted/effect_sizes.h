@@ -15,9 +15,10 @@ std::vector<Planted> backgroundTexture(const PlantParameters& p, base::Random& r
 
 /// Computes how visible an effect is: the change of the readings that it causes, without the part that a
 /// robot without a fault could show too. The change is simulated open loop over the motion of the robot
-/// without the effect. The part that drift and texture within their drawn ranges can imitate is subtracted,
-/// to first order. For example, a little more mass at the tip is a mistuned mass, and 2 % of asymmetry is
-/// texture.
+/// without the effect; that of a rigid drive starts again from the recorded state after every 0.5 s, since
+/// torques say less and less about the position. The part that drift and texture within their drawn ranges
+/// can imitate is subtracted, to first order. For example, a little more mass at the tip is a mistuned mass,
+/// and 2 % of asymmetry is texture.
 class Visibility {
  public:
   Visibility(const robot::Description& nominal, const robot::Description& worn, bool rigid,
@@ -25,7 +26,8 @@ class Visibility {
              PlantedMotion motion);
 
   /// Visibility of an effect: RMS of the change beyond drift and texture over RMS of noise and texture, in
-  /// the channel (a joint encoder or the cameras) where this ratio is largest.
+  /// the channel (a joint encoder or the cameras) where this ratio is largest. In rigid drives the change by
+  /// torques between the rows of the table is noise, too.
   double of(const Planted& planted) const;
 
  private:
@@ -33,6 +35,8 @@ class Visibility {
   /// Simulated readings, one row per instant: joints [rad or m], then the tip [m].
   Eigen::MatrixXd tell(const PlantedMotion& motion, const std::vector<Planted>& effects) const;
   Eigen::MatrixXd changeBy(const std::vector<Planted>& effects) const;
+  /// By torques of a rigid drive between the rows of the table.
+  Eigen::MatrixXd changeByRows() const;
   Eigen::VectorXd channels(const Eigen::MatrixXd& change) const;  ///< RMS of each joint and of the tip
   Eigen::VectorXd weighted(const Eigen::MatrixXd& change) const;
   void findBackgroundChanges(const Ageing& ageing);
@@ -42,7 +46,8 @@ class Visibility {
   SensorOptions sensors_;
   PlantedMotion recorded_, plain_motion_;
   Eigen::MatrixXd plain_;
-  Eigen::VectorXd noise_, level_;  ///< per channel of channels(): noise; noise and texture together
+  /// Per channel of channels(): noise; noise and what the table lacks; these and texture together.
+  Eigen::VectorXd noise_, unexplained_, level_;
   /// Change of the readings J per standard deviation of each background change, JᵀJ, and the bounds of the
   /// changes.
   Eigen::MatrixXd background_, normal_;

@@ -146,7 +146,8 @@ PlantedMotion drive(Plant& plant, const robot::Description& nominal, const std::
   return motion;
 }
 
-PlantedMotion replay(Plant& plant, const PlantedMotion& recorded, const std::vector<Planted>& effects) {
+PlantedMotion replay(Plant& plant, const PlantedMotion& recorded, const std::vector<Planted>& effects,
+                     std::size_t restart) {
   const double duration = recorded.t.back();
   const bool rigid = plant.parameters().rigid;
   const int n = plant.size(), steps = plant.stepsFor(kPeriod, recorded.q.front());
@@ -166,6 +167,7 @@ PlantedMotion replay(Plant& plant, const PlantedMotion& recorded, const std::vec
   if (!rigid) s[kMotor] = motorAt(0);
   PlantedMotion motion;
   for (std::size_t k = 0; k < recorded.t.size(); ++k) {
+    if (rigid && restart > 0 && k % restart == 0) s[kJoint] = recorded.q[k], s[kJointRate] = recorded.dq[k];
     PlantInput input;
     input.torque = recorded.torque[k];
     input.load = recorded.load[k];

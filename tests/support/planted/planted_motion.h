@@ -33,8 +33,10 @@ PlantedMotion drive(Plant& plant, const robot::Description& nominal, const std::
                     const JointPath& wanted, const JointPath& load, const DriveOptions& options);
 
 /// Open-loop simulation of a plant over a recorded motion: cable drives follow the recorded motor angles,
-/// rigid drives the recorded torques; loads are those that the sensors measured.
-PlantedMotion replay(Plant& plant, const PlantedMotion& recorded, const std::vector<Planted>& effects);
+/// rigid drives the recorded torques; loads are those that the sensors measured. `restart`: rows after which
+/// a rigid drive starts again from the recorded state; 0: never.
+PlantedMotion replay(Plant& plant, const PlantedMotion& recorded, const std::vector<Planted>& effects,
+                     std::size_t restart = 0);
 
 /// Angle of the counts that the encoder of motor i has lost at t [rad]: motor position minus reading.
 double slipOf(const std::vector<Planted>& effects, int i, double t, double duration);

@@ -7,7 +7,8 @@
 namespace capstan::test {
 namespace {
 
-constexpr std::size_t kStride = 20;  // rows from one that is looked at to the next
+constexpr std::size_t kStride = 20;     // rows from one that is looked at to the next
+constexpr std::size_t kFreeRows = 500;  // that torques alone move a rigid drive: then they say too little
 constexpr int kSweeps = 400;
 
 double rms(const Eigen::Ref<const Eigen::MatrixXd>& x) {
@@ -22,6 +23,13 @@ Eigen::VectorXd leastWithin(const Eigen::MatrixXd& g, const Eigen::VectorXd& b, 
     for (Eigen::Index k = 0; k < x.size(); ++k)
       if (g(k, k) > 0.0) x[k] = std::clamp(x[k] + (b[k] - g.col(k).dot(x)) / g(k, k), low[k], high[k]);
   return x;
+}
+
+/// The motion with the torques of a table: those of its rows, held until the next row.
+PlantedMotion withTorquesOfRows(PlantedMotion motion, int row_period) {
+  for (std::size_t k = 0; k < motion.torque.size(); ++k)
+    motion.torque[k] = motion.torque[k - k % static_cast<std::size_t>(row_period)];
+  return motion;
 }
 
 }  // namespace
@@ -42,8 +50,9 @@ Visibility::Visibility(const robot::Description& nominal, const robot::Descripti
     const bool turns = nominal_.joints[static_cast<std::size_t>(i)].type == robot::JointType::kRevolute;
     noise_[i] = (turns ? sensors_.turn_count : sensors_.slide_count) / std::sqrt(12.0);
   }
-  const Eigen::VectorXd of_texture = channels(changeBy(texture));
-  level_ = (noise_.array().square() + of_texture.array().square()).sqrt();
+  const Eigen::VectorXd of_texture = channels(changeBy(texture)), of_rows = channels(changeByRows());
+  unexplained_ = (noise_.array().square() + of_rows.array().square()).sqrt();
+  level_ = (unexplained_.array().square() + of_texture.array().square()).sqrt();
   findBackgroundChanges(ageing);
 }
 
@@ -75,7 +84,7 @@ PlantedMotion Visibility::replayOf(const robot::Description& robot,
   PlantParameters changed(robot, parameters_.rigid);
   for (const Planted& e : effects) plantInParameters(e, nominal_, changed);
   Plant plant(changed, effects);
-  return replay(plant, recorded_, effects);
+  return replay(plant, recorded_, effects, kFreeRows);
 }
 
 Eigen::MatrixXd Visibility::tell(const PlantedMotion& motion, const std::vector<Planted>& effects) const {
@@ -97,6 +106,12 @@ Eigen::MatrixXd Visibility::changeBy(const std::vector<Planted>& effects) const 
   return tell(outside_the_arm ? plain_motion_ : replayOf(worn_, effects), effects) - plain_;
 }
 
+Eigen::MatrixXd Visibility::changeByRows() const {
+  if (!parameters_.rigid) return Eigen::MatrixXd::Zero(plain_.rows(), plain_.cols());
+  Plant plant(PlantParameters(worn_, true), {});
+  return tell(replay(plant, withTorquesOfRows(recorded_, sensors_.row_period), {}, kFreeRows), {}) - plain_;
+}
+
 Eigen::VectorXd Visibility::channels(const Eigen::MatrixXd& change) const {
   const Eigen::Index joints = parameters_.size;
   Eigen::VectorXd found(joints + 1);
@@ -112,7 +127,7 @@ double Visibility::of(const Planted& planted) const {
   const Place place = factsOf(planted.effect).place;
   const bool drifts = place != Place::kCamera && planted.effect != Effect::kEncoderDrift &&
                       planted.effect != Effect::kCableCompliance;
-  const Eigen::VectorXd& level = parameters_.rigid && !drifts ? noise_ : level_;
+  const Eigen::VectorXd& level = parameters_.rigid && !drifts ? unexplained_ : level_;
   Eigen::VectorXd shown = channels(left.reshaped(plain_.rows(), plain_.cols()));
   shown[parameters_.size] /= std::sqrt(3.0);
   return shown.cwiseProduct(noise_).cwiseQuotient(level).maxCoeff();

@@ -83,14 +83,12 @@ void CauseTree::showReport(const diagnosis::Report& report) {
   verdict_ = report.verdict;
   robot_ = report.extended;
   causes_.clear();
-  tied_.clear();
-  for (const Cause& cause : report.causes)
-    if (!diagnosis::tieOfCause(report, cause)) causes_.push_back(cause);
-  alone_ = causes_.size();
-  for (const diagnosis::Tie& tie : report.ties) {
-    const std::vector<Cause> tied = diagnosis::mostProbableFirst(tie);
-    causes_.insert(causes_.end(), tied.begin(), tied.end());
-    tied_.push_back(tie.causes.size());
+  groups_.clear();
+  for (const Cause& cause : report.causes) {
+    const diagnosis::Tie* tie = diagnosis::tieOfCause(report, cause);
+    const std::vector<Cause> group = tie ? diagnosis::mostProbableFirst(*tie) : std::vector{cause};
+    causes_.insert(causes_.end(), group.begin(), group.end());
+    groups_.push_back(group.size());
   }
   causes_.insert(causes_.end(), report.also_measurable.begin(), report.also_measurable.end());
   also_ = report.also_measurable.empty() ? QString()
@@ -105,10 +103,10 @@ void CauseTree::fill() {
   clear();
   folded_ = nullptr;
   std::size_t next = 0;
-  for (; next < alone_; ++next) addCause(nullptr, next);
-  for (const std::size_t tied : tied_) {
-    QTreeWidgetItem* group = addLine(nullptr, tr("One of these (probabilities relative to each other):"));
-    for (std::size_t i = 0; i < tied; ++i) addCause(group, next++);
+  for (const std::size_t size : groups_) {
+    QTreeWidgetItem* tie =
+        size > 1 ? addLine(nullptr, tr("One of these (probabilities relative to each other):")) : nullptr;
+    for (std::size_t i = 0; i < size; ++i) addCause(tie, next++);
   }
   if (next == 0)
     addLine(nullptr, verdict_ == diagnosis::Verdict::kUnexplained

@@ -43,12 +43,11 @@ class CauseTree : public QTreeWidget {
   Theme theme_ = Theme::dark();
   diagnosis::Verdict verdict_ = diagnosis::Verdict::kNothing;
   robot::Description robot_;
-  /// Causes that are not tied, those of the ties, and effects that are also measurable: in the order of the
-  /// list.
+  /// Causes in the order of the report, a tied one with its competing explanations, and effects that are
+  /// also measurable: in the order of the list.
   std::vector<diagnosis::Cause> causes_;
-  std::vector<std::size_t> tied_;  ///< number of causes of each tie
-  std::size_t alone_ = 0;          ///< number of causes that are not tied
-  QString also_;                   ///< heading of the folded group; empty: there is none
+  std::vector<std::size_t> groups_;  ///< number of causes of each group; more than one: a tie
+  QString also_;                     ///< heading of the folded group; empty: there is none
   QTreeWidgetItem* folded_ = nullptr;
   bool unfolded_ = false;
 };

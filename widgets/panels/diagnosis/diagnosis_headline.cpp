@@ -32,8 +32,9 @@ Headline verdictOf(const diagnosis::Report& report) {
   below += QString::fromStdString(report.summary);
   for (const diagnosis::Tie& tie : report.ties)
     if (!tie.separate.empty())
-      below += QLatin1Char('\n') +
-               QObject::tr("To distinguish them: %1").arg(QString::fromStdString(tie.separate));
+      below += QLatin1Char('\n') + QObject::tr("To distinguish %1: %2")
+                                       .arg(tiedNames(tie, report.extended).join(QObject::tr(" and ")),
+                                            QString::fromStdString(tie.separate));
   if (report.next) below += QLatin1Char('\n') + QString::fromStdString(diagnosis::sentenceOf(*report.next));
   return {markOf(report.verdict) + headlineOf(report), below};
 }

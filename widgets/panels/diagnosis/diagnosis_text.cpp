@@ -1,7 +1,6 @@
 #include "widgets/panels/diagnosis/diagnosis_text.h"
 
 #include <QObject>
-#include <QStringList>
 #include <algorithm>
 #include <cmath>
 
@@ -42,8 +41,7 @@ QStringList withTies(const diagnosis::Report& report) {
   QStringList names = namesOf(report.causes, report.extended);
   for (std::size_t k = 0; k < report.causes.size(); ++k)
     if (const diagnosis::Tie* tie = diagnosis::tieOfCause(report, report.causes[k]))
-      names[static_cast<int>(k)] =
-          namesOf(diagnosis::mostProbableFirst(*tie), report.extended).join(QObject::tr(" — or "));
+      names[static_cast<int>(k)] = tiedNames(*tie, report.extended).join(QObject::tr(" — or "));
   return names;
 }
 
@@ -56,6 +54,10 @@ QString placeOf(const std::string& effect, int joint, const robot::Description& 
   return name.isEmpty() ? place : QStringLiteral("%1 (%2)").arg(place, name);
 }
 
+QStringList tiedNames(const diagnosis::Tie& tie, const robot::Description& robot) {
+  return namesOf(diagnosis::mostProbableFirst(tie), robot);
+}
+
 QString headlineOf(const diagnosis::Report& report) {
   const QStringList causes = namesOf(report.causes, report.extended);
   switch (report.verdict) {
@@ -64,9 +66,7 @@ QString headlineOf(const diagnosis::Report& report) {
     case Verdict::kSeveral:
       return QObject::tr("Several causes: %1").arg(withTies(report).join(QStringLiteral("; ")));
     case Verdict::kTie: {
-      const QStringList tied = report.ties.empty()
-                                   ? causes
-                                   : namesOf(diagnosis::mostProbableFirst(report.ties[0]), report.extended);
+      const QStringList tied = report.ties.empty() ? causes : tiedNames(report.ties[0], report.extended);
       return QObject::tr("Cannot be distinguished: %1").arg(tied.join(QObject::tr(" — or ")));
     }
     case Verdict::kUnexplained:

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QString>
+#include <QStringList>
 
 #include "core/diagnosis/report/report.h"
 
@@ -12,6 +13,9 @@ QString titleOf(const std::string& effect);
 
 /// Location of an effect: "joint 2 (elbow)", "whole arm", "cameras"; joint names of `robot`.
 QString placeOf(const std::string& effect, int joint, const robot::Description& robot);
+
+/// Causes of a tie, the most probable one first: "backlash of the cable drive, joint 2 (elbow)".
+QStringList tiedNames(const diagnosis::Tie& tie, const robot::Description& robot);
 
 /// Result of a report in one line: "Found: backlash of the cable drive, joint 2 (elbow)".
 QString headlineOf(const diagnosis::Report& report);
