@@ -174,6 +174,22 @@ TEST(PlantedCase, ATenthOfLargeIsJustVisible) {
   }
 }
 
+/// A table with every tenth row does not say what torque a rigid drive had between them.
+TEST(PlantedCase, TorquesBetweenTheRowsHideEffectsOfARigidDrive) {
+  const Bench bench(rigidRobot("rigid_arm"), true);
+  const auto visibilityOfGain = [&](int row_period) {
+    SensorOptions sensors = bench.sensors;
+    sensors.row_period = row_period;
+    const Visibility visibility(bench.robot, bench.robot, true, {}, bench.texture, sensors, bench.motion);
+    return visibility.of({.effect = Effect::kActuatorGain, .joint = 1, .magnitude = 0.05});
+  };
+  const double every_row = visibilityOfGain(1), every_fourth = visibilityOfGain(4),
+               every_tenth = visibilityOfGain(10);
+  EXPECT_LT(every_fourth, 0.9 * every_row);
+  EXPECT_LT(every_tenth, 0.7 * every_fourth);
+  EXPECT_GT(every_tenth, 0.0);
+}
+
 /// A camera offset, which encoders tell from all drift, counts whole; friction a little stronger and 2 % of
 /// asymmetry do not, since robots without a fault have as much; of 60 % of asymmetry all but 4 do.
 TEST(PlantedCase, WhatAgeingAndTextureMakeIsNotVisible) {

@@ -15,7 +15,7 @@ constexpr double kCentreSigma = 0.15;     // prior σ of a centre of mass, over 
 constexpr double kMostCentre = 0.3;       // largest change of a centre of mass, over the same distance
 constexpr double kEffectPrior = 3.0;      // prior σ of an effect's number, over EffectStart::scale
 constexpr double kBackgroundPrior = 0.5;  // prior σ of a background effect, over Hypothesis::background
-constexpr double kFarShape = 8.0;         // of speeds, times and lengths beyond those of all starts
+constexpr double kFarShape = 8.0;  // largest factor of a speed, time or length over those of the starts
 
 }  // namespace
 
@@ -130,7 +130,7 @@ void FitModel::addTerm(EffectTerm term) {
     } else if (start > 0.0 && numbers[k].low > 0.0) {  // a speed, duration or length, which is never zero
       p.logarithmic = true;
       p.scale = scale / start;
-      const auto [least, most] = shapesOf(term, k);
+      const auto [least, most] = term.background ? std::pair(start, start) : shapesOf(term, k);
       p.low = std::max(p.low, least / kFarShape);
       p.high = std::min(p.high, most * kFarShape);
     }

@@ -95,8 +95,8 @@ struct Hypothesis {
   /// Starts of fits for joint `joint` (from 1; 0: whole arm): several if the effect is not linear in its
   /// parameters, none if the robot cannot have the effect.
   std::vector<EffectStart> starts(const JointScales& scales, int joint) const;
-  /// Whether two starts differ in the effect's size alone: in its first number, and in numbers whose neutral
-  /// value is 0.
+  /// Whether two starts differ in the effect's size alone: in fitted numbers that are the first one or have
+  /// the neutral value 0.
   bool haveOneForm(const EffectStart& a, const EffectStart& b) const;
   /// Number of different forms of starts(); at least 1.
   int forms(const JointScales& scales, int joint) const;

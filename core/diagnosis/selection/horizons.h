@@ -14,10 +14,11 @@ namespace capstan::diagnosis {
 /// windows first.
 inline constexpr double kHorizons[] = {0.15, 0.5};
 /// Windows with which effects that leave more than noise are confirmed: a wrong effect can lower the residual
-/// over short windows, but raises it over long ones. Effects that explain the recording down to noise need no
-/// confirmation, and over long windows the noise of torques hides them. An effect that is visible over long
-/// windows only is not found. It is also the only horizon for recordings without joint encoders, because
-/// camera observations need time to determine the state at the start of a window.
+/// over short windows, but raises it over long ones. Effects that explain the recording down to noise
+/// (mostByChance() in every channel) need no confirmation, and over long windows the noise of torques hides
+/// them. An effect that is visible over long windows only is not found. It is also the only horizon for
+/// recordings without joint encoders, because camera observations need time to determine the state at the
+/// start of a window.
 inline constexpr double kFarHorizon = 2.0;
 
 /// Selection, and the data that it was fitted to.

@@ -21,7 +21,7 @@ template <class Effect>
 struct CandidateModel {
   SetOf<Effect> effects;
   const BlockSquares* squares = nullptr;  ///< held-out residuals
-  double log_prior = 0.0;                 ///< logPrior() [nats]
+  double log_prior = 0.0;                 ///< of the effects and their sizes [nats]
   double correction = 0.0;                ///< added to the score of `squares`: heldOutScores() [nats]
 };
 

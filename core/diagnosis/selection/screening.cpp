@@ -219,7 +219,7 @@ ScoreTest judge(const Probe& probe, const Projection& projection, const MatrixXd
 
 /// Whether two starts of one candidate have the same values of the numbers that a fit leaves as they are,
 /// such as the other joint of a coupling.
-bool isOfOneForm(const ScoreTest& a, const ScoreTest& b) {
+bool isOfOneFit(const ScoreTest& a, const ScoreTest& b) {
   if (a.hypothesis != b.hypothesis || a.joint != b.joint) return false;
   for (std::size_t k = 0; k < a.start.value.size(); ++k)
     if (a.start.scale[k] == 0.0 && b.start.scale[k] == 0.0 && a.start.value[k] != b.start.value[k])
@@ -267,7 +267,7 @@ std::vector<ScoreTest> screen(const FitData& data, const Fit& fit, const Weighti
     const MatrixXd d = columnsOf(data, probe, response, projection.weights());
     ScoreTest score_test = judge(probe, projection, d);
     const auto known = std::ranges::find_if(
-        score_tests, [&](const ScoreTest& other) { return isOfOneForm(other, score_test); });
+        score_tests, [&](const ScoreTest& other) { return isOfOneFit(other, score_test); });
     if (known == score_tests.end())
       score_tests.push_back(std::move(score_test));
     else if (score_test.gain > known->gain)

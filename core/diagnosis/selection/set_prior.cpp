@@ -8,19 +8,24 @@
 
 namespace capstan::diagnosis {
 
-SetPrior::SetPrior(const std::vector<Evidence>& recordings, std::vector<JointScales> scales, int candidates)
-    : scales_(std::move(scales)), candidates_(candidates) {
-  for (const Evidence& evidence : recordings)
-    instants_ = std::max(instants_, evidence.duration() / kEventStep);
+SetPrior::SetPrior(const std::vector<Evidence>& recordings, const std::vector<JointScales>& scales,
+                   int candidates)
+    : candidates_(candidates) {
+  double instants = 1.0;  // that score tests try
+  for (const Evidence& evidence : recordings) instants = std::max(instants, evidence.duration() / kEventStep);
+  const int joints = static_cast<int>(scales.size()) - 1;
+  for (const Hypothesis& hypothesis : hypotheses()) {
+    const bool once = std::ranges::any_of(hypothesis.facts->parameters, isEventTime);
+    const bool whole = hypothesis.facts->whole;
+    for (int joint = whole ? 0 : 1; joint <= (whole ? 0 : joints); ++joint)
+      log_forms_[{&hypothesis, joint}] =
+          std::log(once ? instants : hypothesis.forms(scalesOf(scales, joint), joint));
+  }
 }
 
 double SetPrior::of(const EffectSet& effects) const {
   double prior = logPrior(effects.size(), candidates_);
-  for (const EffectCandidate& effect : effects) {
-    const Hypothesis& hypothesis = *effect.hypothesis;
-    const bool once = std::ranges::any_of(hypothesis.facts->parameters, isEventTime);
-    prior -= std::log(once ? instants_ : hypothesis.forms(scalesOf(scales_, effect.joint), effect.joint));
-  }
+  for (const EffectCandidate& effect : effects) prior -= log_forms_.at(effect);
   return prior;
 }
 

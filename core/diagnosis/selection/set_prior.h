@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <vector>
 
 #include "core/diagnosis/evidence/evidence.h"
@@ -14,7 +15,7 @@ class SetPrior {
  public:
   SetPrior() = default;
   /// `candidates`: number of effects that the robot and its sensors can have.
-  SetPrior(const std::vector<Evidence>& recordings, std::vector<JointScales> scales, int candidates);
+  SetPrior(const std::vector<Evidence>& recordings, const std::vector<JointScales>& scales, int candidates);
 
   /// Log prior [nats].
   double of(const EffectSet& effects) const;
@@ -25,9 +26,8 @@ class SetPrior {
   double costOfOneMore(std::size_t effects) const;
 
  private:
-  std::vector<JointScales> scales_;
   int candidates_ = 0;
-  double instants_ = 1.0;  ///< instants of an effect that happens once that score tests try
+  std::map<EffectCandidate, double> log_forms_;  ///< logarithm of the number of forms or instants
 };
 
 }  // namespace capstan::diagnosis

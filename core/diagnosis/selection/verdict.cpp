@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
 
 #include "core/diagnosis/fit/input_noise.h"
 #include "core/diagnosis/hypotheses/pose_hypotheses.h"
@@ -24,10 +25,13 @@ double inputSquare(const Selection& s, Eigen::Index c) {
   return s.input_noise[c] * s.input_noise[c] + s.torque_noise[c] * s.torque_noise[c];
 }
 
-/// Mean square of all noise of a channel.
+/// Mean square of all noise of a channel. Of torques between the rows, whose noise is known by its upper
+/// bound only, it is at most what the effects leave.
 double noiseSquare(const FitData& data, const Selection& s, Eigen::Index c) {
   const double sensor = data.channels()[static_cast<std::size_t>(c)].noise;
-  return sensor * sensor + inputSquare(s, c);
+  const double known = sensor * sensor + s.input_noise[c] * s.input_noise[c];
+  const double left = std::max(0.0, s.best_squares.meanSquare(c) - known);
+  return known + std::min(s.torque_noise[c] * s.torque_noise[c], left);
 }
 
 /// Of "rad or m" what the joint goes by.
@@ -78,22 +82,30 @@ std::optional<std::size_t> indexOf(const FitModel& model, const EffectCandidate&
   return std::nullopt;
 }
 
-/// Adds to each σ the spread of the number over the probable sets with the effect (Bayesian model averaging,
-/// Hoeting, Madigan, Raftery and Volinsky, Statistical Science 14, 1999): the fit of one set does not know
-/// what other effects would have taken of it.
-void addSpread(const Selection& s, const EffectCandidate& effect, std::vector<FoundParameter>& parameters) {
+/// Whether the numbers of `term` that are not fitted have these values.
+bool hasFixedNumbers(const EffectTerm& term, const std::vector<double>& values) {
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (term.index[i] < 0 && term.start.value[i] != values[i]) return false;
+  return true;
+}
+
+/// Adds to the σ of each fitted number its spread over the most probable sets with the effect (Hoeting,
+/// Madigan, Raftery and Volinsky, Bayesian model averaging, Statistical Science 14, 1999): the fit of one set
+/// does not know what other effects would have taken of it.
+void addSpread(const Selection& s, const EffectTerm& term, std::vector<FoundParameter>& parameters) {
   double probability = 0.0;
   std::vector<double> variance(parameters.size(), 0.0);
   for (const ProbableSet& one : s.probable) {
-    const std::optional<std::size_t> index = indexOf(one.set.fit.model, effect);
+    const std::optional<std::size_t> index = indexOf(one.set.fit.model, {term.hypothesis, term.joint});
     if (!index) continue;
     const std::vector<double> values = one.set.fit.model.effectValues(*index, one.set.fit.u);
+    if (!hasFixedNumbers(term, values)) continue;  // of another cable, for example
     probability += one.probability;
     for (std::size_t i = 0; i < parameters.size(); ++i)
       variance[i] += one.probability * std::pow(values[i] - parameters[i].value, 2);
   }
   for (std::size_t i = 0; i < parameters.size(); ++i)
-    if (parameters[i].sigma > 0.0 && probability > 0.0)
+    if (term.index[i] >= 0 && probability > 0.0)
       parameters[i].sigma = std::hypot(parameters[i].sigma, std::sqrt(variance[i] / probability));
 }
 
@@ -122,9 +134,10 @@ Cause sizeOf(const FitData& data, const Selection& s, const Fit& fit, const Effe
   cause.effect = effect.hypothesis->name();
   cause.joint = effect.joint;
   cause.probability = probability;
-  if (const std::optional<std::size_t> index = indexOf(fit.model, effect))
+  if (const std::optional<std::size_t> index = indexOf(fit.model, effect)) {
     cause.parameters = parametersOf(fit.model, *index, fit.u, covariance);
-  addSpread(s, effect, cause.parameters);
+    addSpread(s, fit.model.effects()[*index], cause.parameters);
+  }
   cause.moves = displacementsBy(data, fit, effect, robot);
   return cause;
 }
@@ -172,9 +185,13 @@ std::string verdictText(const Report& report) {
                  ? "Something is there that no hypothesis explains."
                  : fmt::format("Something is there that no hypothesis explains; {} takes off {:.0f} % of it.",
                                causeNames(report.causes), percent);
-    case Verdict::kTie:
-      return fmt::format("This recording cannot distinguish {}.",
-                         causeNames(mostProbableFirst(report.ties.front())));
+    case Verdict::kTie: {
+      std::vector<Cause> others = report.causes;
+      std::erase_if(others, [&](const Cause& cause) { return tieOfCause(report, cause); });
+      return fmt::format("This recording cannot distinguish {}.{}",
+                         causeNames(mostProbableFirst(report.ties.front())),
+                         others.empty() ? "" : fmt::format(" There as well: {}.", causeNames(others)));
+    }
     default:
       return fmt::format("{} {} the recording ({:.0f} % of what is beyond noise).", causeNames(report.causes),
                          report.causes.size() > 1 ? "explain" : "explains", percent);
@@ -249,7 +266,10 @@ Tie tieOf(const Cause& cause, const std::vector<NamedEffect>& others,
     other.probability = probabilities[k + 1];
     tie.causes.push_back(std::move(other));
   }
-  tie.separate = experimentFor({cause.effect, cause.joint}) + " " + experimentFor(others.front());
+  tie.separate = experimentFor({cause.effect, cause.joint});
+  std::set<std::string> effects{cause.effect};  // at another joint the same experiment
+  for (const NamedEffect& other : others)
+    if (effects.insert(other.effect).second) tie.separate += " " + experimentFor(other);
   return tie;
 }
 

@@ -58,7 +58,7 @@ void addTies(const std::vector<CompetitorsOf<Effect>>& competitors, Report& repo
 /// that of the first cause. `residual`: whether the residual of the selected model is more than noise.
 Verdict verdictOf(const Report& report, bool residual);
 
-/// Verdict, causes and ties in sentences.
+/// Report::summary without the uncertain effects: verdict, causes and ties in sentences.
 std::string summaryOf(const Report& report);
 
 /// Sentences about uncertain effects with their sizes, for the end of a summary: " Payload may be there, too
@@ -67,7 +67,7 @@ std::string uncertainText(const std::vector<Cause>& effects);
 
 /// Fills verdict, causes, also_measurable, uncertain, ties, posterior, explained and summary of the report
 /// from the selection; Report::material, explainable and lines are inputs. The σ of a cause's parameter
-/// combines four parts: the σ of the fit; its spread over the probable sets with the effect; 1 % of the
+/// combines four parts: the σ of the fit; its spread over the kProbableSets most probable sets; 1 % of the
 /// parameter, because laws are simplified; and half of the size that the effect has on a robot in good order
 /// (Hypothesis::background).
 void judge(const FitData& data, const Selection& selection, const robot::Description& robot, Report& report);

@@ -3,11 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
+#include <algorithm>
 
 #include "core/diagnosis/hypotheses/joint_scales.h"
-#include "core/diagnosis/selection/screening.h"
-#include "core/diagnosis/selection/set_prior.h"
 #include "tests/core/diagnosis/planted_evidence.h"
 
 namespace capstan::diagnosis {
@@ -67,19 +65,23 @@ TEST(SetFit, IsOfOneFormWhateverScoreTestsHavePredicted) {
   }
 }
 
-TEST(SetPrior, SharesAProbabilityByTheFormsOfALaw) {
-  const Planted planted(5, test::Effect::kStribeckFriction, 2);
-  const FitModel base(planted.robot, jointScales(planted.evidence, planted.robot));
-  const SetPrior prior(planted.evidence, base.scales(), 40);
-  const auto of = [&](const char* effect) { return prior.of(EffectSet({{hypothesisNamed(effect), 2}})); };
-  const double one_form = of("viscous_friction");
-  EXPECT_NEAR(of("backlash"), one_form - std::log(3.0), 1e-12) << "three ways of its damper";
-  EXPECT_DOUBLE_EQ(of("capstan_eccentricity"), one_form) << "sine and cosine are sizes";
-  EXPECT_NEAR(of("stribeck_friction"), one_form - std::log(3.0), 1e-12) << "three speeds";
-  EXPECT_NEAR(of("position_friction"), one_form - std::log(4.0), 1e-12) << "four periods";
-  const double instants = planted.evidence.front().duration() / kEventStep;
-  EXPECT_NEAR(of("encoder_slip"), one_form - std::log(instants), 1e-12);
-  EXPECT_DOUBLE_EQ(prior.of(EffectSet()) - one_form, prior.costOfOneMore(0));
+/// Whichever form the fit begins with, its speed can become that of any other.
+TEST(SetFit, ShapesReachThoseOfAllForms) {
+  const Fitted of(test::Effect::kStribeckFriction);
+  const Hypothesis& stribeck = *hypothesisNamed("stribeck_friction");
+  std::vector<double> speeds;
+  for (const EffectStart& start : stribeck.starts(scalesOf(of.base.scales(), 2), 2))
+    speeds.push_back(start.value[1]);
+  ASSERT_EQ(speeds.size(), 3U);
+  for (std::size_t start = 0; start < speeds.size(); ++start) {
+    const FitModel model = of.from("stribeck_friction", start).fit.model;
+    const EffectTerm& term = model.effects().back();
+    ASSERT_FALSE(term.background);
+    const FitParameter& speed = model.parameters()[static_cast<std::size_t>(term.index[1])];
+    EXPECT_DOUBLE_EQ(speed.start, speeds[start]);
+    EXPECT_LT(speed.low, 0.2 * std::ranges::min(speeds));
+    EXPECT_GT(speed.high, 5.0 * std::ranges::max(speeds));
+  }
 }
 
 }  // namespace

@@ -92,6 +92,23 @@ TEST(Verdict, OfASizeIsAsSureAsTheProbableSetsAgree) {
   EXPECT_NEAR(sigmaOf(), std::hypot(of_one, std::sqrt(0.29 / (0.58 + 0.29)) * further), 1e-9 * of_one);
 }
 
+/// Torques between the rows may have caused all that is left, and not all that was there before.
+TEST(Verdict, TorquesExplainNoMoreThanEffectsLeave) {
+  const Planted planted(1);
+  const FitData data(planted.evidence, planted.robot, 0.0, EncoderZeros::kKnown, 2);
+  Selection selection = undecided(data, planted);
+  selection.best_squares.sum *= 0.0;
+  selection.base_squares.sum *= 0.0;
+  const double noise = data.channels()[1].noise;
+  selection.base_squares.sum.row(1) = 25.0 * noise * noise * selection.base_squares.count.row(1);
+  selection.best_squares.sum.row(1) = 10.0 * noise * noise * selection.best_squares.count.row(1);
+  EXPECT_NEAR(explainedShare(data, selection), 15.0 / 24.0, 1e-9);
+  selection.torque_noise[1] = 2.0 * noise;
+  EXPECT_NEAR(explainedShare(data, selection), 15.0 / 20.0, 1e-9);
+  selection.torque_noise[1] = 20.0 * noise;  // an upper bound
+  EXPECT_NEAR(explainedShare(data, selection), 1.0, 1e-9);
+}
+
 Report reportOf(std::vector<Cause> causes) {
   Report report;
   report.explained = 1.0;

@@ -27,7 +27,8 @@ class Visibility {
 
   /// Visibility of an effect: RMS of the change beyond drift and texture over RMS of noise and texture, in
   /// the channel (a joint encoder or the cameras) where this ratio is largest. In rigid drives the change by
-  /// torques between the rows of the table is noise, too.
+  /// torques between the rows of the table is noise, too, and texture is none but for effects that shift what
+  /// sensors or a compliant cable show.
   double of(const Planted& planted) const;
 
  private:

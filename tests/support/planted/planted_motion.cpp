@@ -146,6 +146,23 @@ PlantedMotion drive(Plant& plant, const robot::Description& nominal, const std::
   return motion;
 }
 
+namespace {
+
+/// Moves the joints to another position and velocity, and compliant motors by as much: cables stay stretched
+/// as they are.
+void moveJoints(const Plant& plant, const Joints& q, const Joints& dq, PlantState& s) {
+  const Joints motor = plant.motorsAt(q), motor_before = plant.motorsAt(s[kJoint]);
+  const Joints rate = plant.motorsAt(dq), rate_before = plant.motorsAt(s[kJointRate]);
+  for (int i = 0; i < plant.size(); ++i) {
+    s[kMotor][i] += motor[i] - motor_before[i];
+    s[kMotorRate][i] += rate[i] - rate_before[i];
+  }
+  s[kJoint] = q;
+  s[kJointRate] = dq;
+}
+
+}  // namespace
+
 PlantedMotion replay(Plant& plant, const PlantedMotion& recorded, const std::vector<Planted>& effects,
                      std::size_t restart) {
   const double duration = recorded.t.back();
@@ -167,7 +184,7 @@ PlantedMotion replay(Plant& plant, const PlantedMotion& recorded, const std::vec
   if (!rigid) s[kMotor] = motorAt(0);
   PlantedMotion motion;
   for (std::size_t k = 0; k < recorded.t.size(); ++k) {
-    if (rigid && restart > 0 && k % restart == 0) s[kJoint] = recorded.q[k], s[kJointRate] = recorded.dq[k];
+    if (rigid && restart > 0 && k % restart == 0) moveJoints(plant, recorded.q[k], recorded.dq[k], s);
     PlantInput input;
     input.torque = recorded.torque[k];
     input.load = recorded.load[k];

@@ -8,7 +8,7 @@ namespace capstan::test {
 namespace {
 
 constexpr std::size_t kStride = 20;     // rows from one that is looked at to the next
-constexpr std::size_t kFreeRows = 500;  // that torques alone move a rigid drive: then they say too little
+constexpr std::size_t kFreeRows = 500;  // after which the replay of a rigid drive restarts: 0.5 s
 constexpr int kSweeps = 400;
 
 double rms(const Eigen::Ref<const Eigen::MatrixXd>& x) {

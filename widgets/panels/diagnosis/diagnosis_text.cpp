@@ -66,8 +66,11 @@ QString headlineOf(const diagnosis::Report& report) {
     case Verdict::kSeveral:
       return QObject::tr("Several causes: %1").arg(withTies(report).join(QStringLiteral("; ")));
     case Verdict::kTie: {
-      const QStringList tied = report.ties.empty() ? causes : tiedNames(report.ties[0], report.extended);
-      return QObject::tr("Cannot be distinguished: %1").arg(tied.join(QObject::tr(" — or ")));
+      QStringList names = withTies(report);
+      const QString tied = QObject::tr("Cannot be distinguished: %1").arg(names.takeFirst());
+      return names.isEmpty()
+                 ? tied
+                 : QObject::tr("%1; there as well: %2").arg(tied, names.join(QStringLiteral("; ")));
     }
     case Verdict::kUnexplained:
       return causes.isEmpty() ? QObject::tr("Something is there that no hypothesis explains")
