@@ -30,6 +30,7 @@ struct FoundParameter {
   /// For a length of the cable of a revolute joint: rotation of the joint per length, 1 / r_l [rad/m]; else
   /// 0.
   double joint_per_length = 0.0;
+  bool at_bound = false;  ///< true if the estimate is at a bound of the fit; σ is then that of other sets
 };
 
 /// Reduction of one channel's RMS residual by a cause, on held-out data.

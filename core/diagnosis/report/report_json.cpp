@@ -178,7 +178,10 @@ json jsonOf(const Cause& cause) {
   json parameters = json::object();
   for (const FoundParameter& parameter : cause.parameters) {
     json& one = parameters[parameter.name];
-    one = {{"value", number(parameter.value)}, {"sigma", number(parameter.sigma)}, {"unit", parameter.unit}};
+    one = {{"value", number(parameter.value)},
+           {"sigma", number(parameter.sigma)},
+           {"unit", parameter.unit},
+           {"at_bound", parameter.at_bound}};
     if (const double scale = parameter.joint_per_length; scale != 0.0)
       one["at_joint"] = {{"value", number(scale * parameter.value)},
                          {"sigma", number(scale * parameter.sigma)},

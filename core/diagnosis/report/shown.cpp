@@ -66,7 +66,8 @@ std::string shownName(std::string_view effect, std::string_view parameter) {
 }
 
 std::string shownParameter(std::string_view effect, const FoundParameter& parameter) {
-  return shownName(effect, parameter.name) + " " + shownValue(parameter);
+  return shownName(effect, parameter.name) + " " + shownValue(parameter) +
+         (parameter.at_bound ? " (at its bound)" : "");
 }
 
 std::string shownJoint(std::string_view effect, int joint) {

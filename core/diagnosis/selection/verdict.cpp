@@ -51,10 +51,11 @@ double jointPerLength(std::string_view unit, const EffectTerm& term, const robot
   return robot.joints[j].type == robot::JointType::kPrismatic ? 0.0 : 1.0 / robot.drives[j].link_radius;
 }
 
-std::vector<FoundParameter> parametersOf(const FitModel& model, std::size_t effect, const Eigen::VectorXd& u,
+std::vector<FoundParameter> parametersOf(const Fit& fit, std::size_t effect,
                                          const Eigen::MatrixXd& covariance) {
+  const FitModel& model = fit.model;
   const EffectTerm& term = model.effects()[effect];
-  const std::vector<double> values = model.effectValues(effect, u);
+  const std::vector<double> values = model.effectValues(effect, fit.u);
   const double background =
       term.joint > 0 ? term.hypothesis->background(scalesOf(model.scales(), term.joint)) : 0.0;
   const std::vector<double>& neutral = term.hypothesis->neutral;
@@ -62,13 +63,16 @@ std::vector<FoundParameter> parametersOf(const FitModel& model, std::size_t effe
   for (std::size_t i = 0; i < values.size(); ++i) {
     const auto& number = term.hypothesis->facts->parameters[i];
     double sigma = 0.0;
-    if (const int at = term.index[i]; at >= 0)
-      sigma =
-          model.parameters()[static_cast<std::size_t>(at)].valueSigma(u[at], std::sqrt(covariance(at, at)));
+    const int at = term.index[i];
+    if (at >= 0) {
+      const FitParameter& parameter = model.parameters()[static_cast<std::size_t>(at)];
+      sigma = parameter.valueSigma(fit.u[at], std::sqrt(covariance(at, at)));
+    }
     if (sigma > 0.0 && !isEventTime(number)) sigma = withLawError(sigma, values[i]);
     if (neutral[i] == 0.0) sigma = std::hypot(sigma, 0.5 * background);  // a background effect
     found.push_back({std::string(number.name), unitAt(number.unit, term.joint, model.nominal()), values[i],
-                     sigma, jointPerLength(number.unit, term, model.nominal())});
+                     sigma, jointPerLength(number.unit, term, model.nominal()),
+                     at >= 0 && !fit.bound.empty() && fit.bound[static_cast<std::size_t>(at)]});
   }
   return found;
 }
@@ -135,7 +139,7 @@ Cause sizeOf(const FitData& data, const Selection& s, const Fit& fit, const Effe
   cause.joint = effect.joint;
   cause.probability = probability;
   if (const std::optional<std::size_t> index = indexOf(fit.model, effect)) {
-    cause.parameters = parametersOf(fit.model, *index, fit.u, covariance);
+    cause.parameters = parametersOf(fit, *index, covariance);
     addSpread(s, fit.model.effects()[*index], cause.parameters);
   }
   cause.moves = displacementsBy(data, fit, effect, robot);

@@ -28,6 +28,7 @@ TEST(ReportJson, SaysWhatTheReportSays) {
   EXPECT_EQ(cause.at("parameters").at("half_width").at("value").get<double>(),
             report.causes[0].parameters[0].value);
   EXPECT_EQ(cause.at("parameters").at("half_width").at("unit"), "m");
+  EXPECT_EQ(cause.at("parameters").at("half_width").at("at_bound"), false);
   EXPECT_EQ(cause.at("parameters").at("half_width").at("at_joint").at("unit"), "rad");
   EXPECT_NEAR(cause.at("parameters").at("half_width").at("at_joint").at("value").get<double>(), 0.015, 1e-12)
       << "0.93 mm on a radius of 62 mm";

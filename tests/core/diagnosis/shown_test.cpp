@@ -40,6 +40,8 @@ TEST(ShownNumbers, ParametersWithoutAUnitAreSharesUnlessTheyCount) {
   EXPECT_EQ(shownParameter("backlash", {"half_width", "m", 0.9e-3, 0.05e-3}), "half width 0.900 ± 0.050 mm");
   EXPECT_EQ(shownParameter("pulley_radius", {"share", "", 0.021, 0.0004}),
             "increase of the link radius 2.100 ± 0.040 %");
+  EXPECT_EQ(shownParameter("backlash", {"half_width", "m", 0.9e-3, 0.0, 0.0, true}),
+            "half width 0.900 mm (at its bound)");
   EXPECT_EQ(shownParameter("cable_coupling", {"other", "", 1.0, 0.0}), "other 1");
   EXPECT_EQ(shownParameter("sensor_sign", {"present", "", 1.0, 0.0}), "present 1");
 }
