@@ -13,7 +13,7 @@ SetPrior::SetPrior(const std::vector<Evidence>& recordings, const std::vector<Jo
     : candidates_(candidates) {
   double instants = 1.0;  // that score tests try
   for (const Evidence& evidence : recordings) instants = std::max(instants, evidence.duration() / kEventStep);
-  const int joints = static_cast<int>(scales.size()) - 1;
+  const int joints = static_cast<int>(scales.size());
   for (const Hypothesis& hypothesis : hypotheses()) {
     const bool once = std::ranges::any_of(hypothesis.facts->parameters, isEventTime);
     const bool whole = hypothesis.facts->whole;

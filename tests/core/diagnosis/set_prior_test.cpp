@@ -27,6 +27,8 @@ TEST(SetPrior, SharesAProbabilityByTheFormsOfALaw) {
   const double instants = planted.evidence.front().duration() / kEventStep;
   EXPECT_NEAR(of("encoder_slip"), one_form - std::log(instants), 1e-12);
   EXPECT_DOUBLE_EQ(prior.of(EffectSet()) - one_form, prior.costOfOneMore(0));
+  for (const EffectCandidate& effect : candidatesOf(planted.evidence, base, {}))
+    EXPECT_LE(prior.of(EffectSet({effect})), one_form) << effect.name() << effect.joint;
 }
 
 }  // namespace
