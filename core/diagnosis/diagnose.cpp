@@ -255,7 +255,7 @@ Report diagnose(const std::vector<Evidence>& recordings, const robot::Descriptio
   if (!selection.complete)
     report.notices.push_back(
         fmt::format("The search for causes ended at its limit. Better combinations of causes may exist; "
-                    "an effort of {:g} (--effort) searches longer",
+                    "effort ×{:g} searches longer",
                     std::max(1.0, 2.0 * options.effort)));
   for (const Evidence& evidence : recordings)
     report.notices.insert(report.notices.end(), evidence.notices.begin(), evidence.notices.end());

@@ -22,6 +22,7 @@
 #include "widgets/panels/diagnosis/refit_table.h"
 #include "widgets/panels/diagnosis/signature_view.h"
 #include "widgets/panels/diagnosis/time_view.h"
+#include "widgets/panels/diagnosis/wrapped_words.h"
 
 namespace capstan::widgets {
 namespace {
@@ -50,7 +51,7 @@ TEST_F(Diagnosis, EffectsBelowTheToleranceAreFolded) {
   CauseTree& tree = panel->causes();
   QTreeWidgetItem* group = tree.topLevelItem(tree.topLevelItemCount() - 1);
   EXPECT_THAT(causes(), HasSubstr("Also measurable, below the tolerance of 0.02deg,0.02mm or 6 % of the mean "
-                                  "square of a channel: 1"));
+                                  "square of a channel (1)"));
   EXPECT_FALSE(group->isExpanded());
   EXPECT_EQ(tree.chosen()->effect, "backlash");
   tree.scrollToItem(group);
@@ -88,13 +89,15 @@ TEST_F(Diagnosis, TheRefitHasAColumnWithoutAndOneWithTheEffects) {
   const RefitTable& refit = panel->pages().refit();
   EXPECT_FALSE(refit.isColumnHidden(RefitTable::kWithout));
   EXPECT_EQ(refit.headerItem()->text(RefitTable::kValue), "with effects");
-  const QTreeWidgetItem& stiffness = *refit.topLevelItem(0);
+  EXPECT_THAT(wordsOf(*refit.topLevelItem(0), RefitTable::kName).toStdString(),
+              HasSubstr("Grey: changed by less"));
+  const QTreeWidgetItem& stiffness = *refit.topLevelItem(1);
   EXPECT_NE(stiffness.text(RefitTable::kWithout), stiffness.text(RefitTable::kNominal));
   EXPECT_THAT(stiffness.text(RefitTable::kValue).toStdString(), HasSubstr("±"));
-  EXPECT_THAT(refit.topLevelItem(1)->text(RefitTable::kChange).toStdString(), HasSubstr("at its bound"));
+  EXPECT_THAT(refit.topLevelItem(2)->text(RefitTable::kChange).toStdString(), HasSubstr("at its bound"));
   EXPECT_TRUE(stiffness.font(RefitTable::kChange).bold()) << "significant and material";
   EXPECT_THAT(stiffness.toolTip(RefitTable::kChange).toStdString(), HasSubstr("0.859 deg at joint 2"));
-  EXPECT_FALSE(refit.topLevelItem(1)->font(RefitTable::kChange).bold())
+  EXPECT_FALSE(refit.topLevelItem(2)->font(RefitTable::kChange).bold())
       << "it moves no joint by the tolerance";
   panel->showReport(sample(Verdict::kNothing));
   EXPECT_TRUE(refit.isColumnHidden(RefitTable::kWithout)) << "both are the same";
@@ -201,7 +204,7 @@ TEST_F(Diagnosis, TheEffortIsChosenAndKept) {
 }
 
 TEST_F(Diagnosis, TheUnitsOfTheOpenRecordingAreThoseOfTheDiagnosis) {
-  panel->offer("/a/open.csv", "Open recording", "q_m=deg");
+  panel->offer("/a/open.csv", "Choose the open one", "q_m=deg");
   panel->preselect("/a/open.csv", "", "q_m=deg");
   EXPECT_EQ(panel->choice().read_as, "q_m=deg");
   auto* units = panel->findChild<QToolButton*>("units");

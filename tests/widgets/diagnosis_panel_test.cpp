@@ -41,7 +41,7 @@ TEST_F(Diagnosis, AFoundCauseHasANamePlaceSizeAndWorth) {
   EXPECT_THAT(headline(), HasSubstr("joint 2"));
   EXPECT_THAT(causes(), HasSubstr("half width 0.930 ± 0.030 mm"));
   EXPECT_THAT(causes(), HasSubstr("97 %"));
-  EXPECT_THAT(causes(), HasSubstr("q2 on other data: 0.894"));
+  EXPECT_THAT(causes(), HasSubstr("q2 on held-out data: 0.894"));
   EXPECT_THAT(causes(), HasSubstr("moves joint 2 by 0.859 deg RMS (largest 1.89 deg), "
                                   "the tip by 3.10 mm RMS (largest 6.82 mm)"));
   EXPECT_TRUE(panel->summary().startsWith("Tip displacement: 3.10 mm RMS (largest 6.82 mm)."))
@@ -321,7 +321,7 @@ TEST_F(Diagnosis, TheJustRecordedTakesThePlaceOfTheChoice) {
   auto* latest = panel->findChild<QToolButton*>("offered");
   EXPECT_FALSE(latest->isVisible());
   panel->choose({.recordings = {"/a/one.csv"}, .robot = "/a/mine.yaml"});
-  panel->offer("/a/session.capstan", "Just recorded");
+  panel->offer("/a/session.capstan", "Choose the one just recorded");
   ASSERT_TRUE(latest->isVisible());
   latest->click();
   EXPECT_EQ(panel->choice().recordings, QStringList{"/a/session.capstan"});

@@ -58,9 +58,7 @@ std::string verdictHtml(const Report& report) {
 /// Description of a cause: joint, size, probability, displacement, gain, and explanation.
 std::string causeHtml(const Cause& cause, const char* probability = "Probability") {
   std::string html = "<section class=\"cause\"><h3>" +
-                     htmlEscaped(diagnosis::titleOf(cause.effect) + ", " +
-                                 diagnosis::shownJoint(cause.effect, cause.joint)) +
-                     "</h3>\n";
+                     htmlEscaped(diagnosis::titleAndPlace(cause.effect, cause.joint)) + "</h3>\n";
   std::string size;
   for (const diagnosis::FoundParameter& parameter : cause.parameters)
     size += (size.empty() ? "" : ", ") + diagnosis::shownParameter(cause.effect, parameter);

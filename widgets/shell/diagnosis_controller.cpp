@@ -47,7 +47,7 @@ void DiagnosisController::offerRecordings(SessionLink& link) {
             panel_.setSession({info.robot.size(), QString::fromStdString(info.robot.name),
                                choice.isRecording() ? choice.file : QString()});
             if (!choice.isRecording()) return;
-            panel_.offer(choice.file, tr("Open recording"), choice.read_as);
+            panel_.offer(choice.file, tr("Choose the open one"), choice.read_as);
             panel_.preselect(choice.file, choice.robot, choice.read_as);
           });
   connect(&link, &SessionLink::status, this, &DiagnosisController::onStatus);
@@ -58,7 +58,8 @@ void DiagnosisController::onStatus(const live::RunStatus& status) {
   now_ = status.t;
   const bool recording = status.recorder && status.recorder->state == recording::RecorderState::kRecording;
   const bool failed = status.recorder && status.recorder->state == recording::RecorderState::kFailed;
-  if (!recording_.isEmpty() && !recording && !failed) panel_.offer(recording_, tr("Just recorded"));
+  if (!recording_.isEmpty() && !recording && !failed)
+    panel_.offer(recording_, tr("Choose the one just recorded"));
   recording_ = recording ? QString::fromStdString(status.recording) : QString();
 }
 

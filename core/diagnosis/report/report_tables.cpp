@@ -77,8 +77,15 @@ std::string titleOf(std::string_view effect) {
   return std::string(words ? words->title : effect);
 }
 
+bool namesItsPlace(std::string_view effect) { return effect.starts_with("camera"); }
+
+std::string titleAndPlace(const std::string& effect, int joint) {
+  const std::string title = titleOf(effect);
+  return namesItsPlace(effect) ? title : title + ", " + shownJoint(effect, joint);
+}
+
 std::string causeText(const Cause& cause) {
-  std::string text = titleOf(cause.effect) + ", " + shownJoint(cause.effect, cause.joint);
+  std::string text = titleAndPlace(cause.effect, cause.joint);
   for (const FoundParameter& parameter : cause.parameters)
     text += (&parameter == &cause.parameters.front() ? ": " : ", ") + shownParameter(cause.effect, parameter);
   return text;

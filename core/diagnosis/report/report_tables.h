@@ -14,6 +14,10 @@ namespace capstan::diagnosis {
 bool hasEffects(const Report& report);
 /// Title of the effect's hypothesis, "Backlash"; the effect's name if there is no such hypothesis.
 std::string titleOf(std::string_view effect);
+/// True for an effect of the cameras: its title names them.
+bool namesItsPlace(std::string_view effect);
+/// Title and place of an effect: "Backlash, joint 2"; the title alone if it names the place.
+std::string titleAndPlace(const std::string& effect, int joint);
 /// Cause in one line: "Backlash, joint 2: half width 0.930 ± 0.030 mm".
 std::string causeText(const Cause& cause);
 /// Reduction of a channel's RMS residual in one line: "q2: RMS 0.894 deg becomes 0.0251 deg, 2.8 % of it (95

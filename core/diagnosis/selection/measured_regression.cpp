@@ -20,10 +20,10 @@ using Eigen::VectorXd;
 constexpr double kRests = 0.02;  // of the fastest motion: slower motion has no direction
 
 struct Design {
-  MatrixXd x;  ///< samples × columns
+  MatrixXd x;  ///< samples × columns, the constant first
   VectorXd y;
   std::vector<std::string> names;
-  std::vector<int> fold;
+  std::vector<int> fold, recording;
 };
 
 /// Samples of the joint's encoder channel in all recordings.
@@ -100,29 +100,45 @@ double fastestOf(const FitData& data, int joint) {
   return fastest;
 }
 
-/// Constants: one for all recordings, or one for each where zeros are free.
+/// Takes a constant of its own off the encoder and the columns of each recording. Held-out recordings have
+/// theirs, too, as the zeros of their encoders in the models that the regression is compared with.
+void centreByRecording(Design& all) {
+  const int recordings = all.recording.empty() ? 0 : 1 + std::ranges::max(all.recording);
+  for (int r = 0; r < recordings; ++r) {
+    std::vector<Index> rows;
+    for (Index i = 0; i < all.x.rows(); ++i)
+      if (all.recording[static_cast<std::size_t>(i)] == r) rows.push_back(i);
+    if (rows.empty()) continue;
+    const Eigen::RowVectorXd mean = all.x(rows, Eigen::all).colwise().mean();
+    all.x(rows, Eigen::all) = all.x(rows, Eigen::all).rowwise() - mean;
+    all.y(rows).array() -= all.y(rows).mean();
+  }
+}
+
 Design columnsOf(const FitData& data, int joint) {
   const std::vector<Index> samples = samplesOf(data, joint);
-  const Index constants = data.zerosFree() && data.segments().size() > 1 ? data.recordings() : 1;
   Design all;
   all.names = namesFor(data.simulation(0).evidence(), joint);
   const auto wide = static_cast<Index>(all.names.size());
   const double fastest = fastestOf(data, joint);
-  all.x = MatrixXd::Zero(static_cast<Index>(samples.size()), constants + wide);
+  all.x = MatrixXd::Zero(static_cast<Index>(samples.size()), 1 + wide);
   all.y.resize(all.x.rows());
   for (Index i = 0; i < all.x.rows(); ++i) {
     const Index sample = samples[static_cast<std::size_t>(i)];
     const int r = recordingOf(data, sample);
     const Evidence& evidence = data.simulation(r).evidence();
     const double t = data.simulation(r).compared().t[static_cast<std::size_t>(sample - data.first(r))];
-    all.x(i, constants > 1 ? r : 0) = 1.0;
+    all.x(i, 0) = 1.0;
+    all.recording.push_back(r);
     const std::vector<double> values = valuesAt(evidence, joint, rowAt(evidence, t), fastest);
     for (Index k = 0; k < std::min(wide, static_cast<Index>(values.size())); ++k)
-      all.x(i, constants + k) =
+      all.x(i, 1 + k) =
           std::isfinite(values[static_cast<std::size_t>(k)]) ? values[static_cast<std::size_t>(k)] : 0.0;
     all.y[i] = data.measured()[sample];
     all.fold.push_back(data.fold(data.block()[static_cast<std::size_t>(sample)]));
   }
+  const bool one_each = data.segments().size() > 1;
+  if (data.zerosFree() && one_each) centreByRecording(all);
   return all;
 }
 
@@ -153,9 +169,8 @@ MeasuredRegression measuredRegression(const FitData& data, int joint) {
   if (data.rigid()) return best;
   const Design all = columnsOf(data, joint);
   if (all.y.size() < kFewest || all.names.empty()) return best;
-  const Index constants = all.x.cols() - static_cast<Index>(all.names.size());
   for (Index k = 1; k <= std::min<Index>(kMostColumns - 1, static_cast<Index>(all.names.size())); ++k) {
-    const double square = heldOutSquare(all.x.leftCols(constants + k), all.y, all.fold);
+    const double square = heldOutSquare(all.x.leftCols(1 + k), all.y, all.fold);
     if (best.mean_square <= square) continue;
     best = {square, {all.names.begin(), all.names.begin() + k}};
   }

@@ -17,8 +17,8 @@ struct MeasuredRegression {
 /// Best of several regressions by least squares. They use the first one, two, … of these columns, with the
 /// constant at most kMostColumns: motor positions of all joints (own joint first), the joint's load,
 /// direction of motion, load × direction, motor speed, motor torque. Each has a constant, or one per
-/// recording if encoder zeros are free. Blocks and folds are those of heldOut(). There is none for rigid
-/// drives, whose positions are integrals of the torque.
+/// recording, held-out ones included, if encoder zeros are free. Blocks and folds are those of heldOut().
+/// There is none for rigid drives, whose positions are integrals of the torque.
 MeasuredRegression measuredRegression(const FitData& data, int joint);
 inline constexpr int kMostColumns = 7;
 

@@ -73,6 +73,16 @@ TEST(MeasuredRegression, HasAConstantForEachRecordingWhoseZeroIsFree) {
   EXPECT_GT(measuredRegression(known, kJoint).mean_square, 100.0 * kNoise * kNoise) << "zeros 0.04 rad apart";
 }
 
+/// Folds are whole recordings then, of which the other folds do not know the zero.
+TEST(MeasuredRegression, HasAConstantForEachRecordingThatIsHeldOut) {
+  std::vector<Evidence> evidence;
+  for (int k = 0; k < kWholeFolds; ++k)
+    evidence.push_back(elbow(0.3 + 0.04 * k, static_cast<std::uint64_t>(k + 1)));
+  const FitData data(evidence, raven(), 0.0, EncoderZeros::kOnePerRecording, 1);
+  const MeasuredRegression found = measuredRegression(data, kJoint);
+  EXPECT_NEAR(found.mean_square, kNoise * kNoise, 0.12 * kNoise * kNoise);
+}
+
 TEST(MeasuredRegression, RigidDrivesHaveNone) {
   test::DrawOptions options;
   options.robot = robot::readDescription(test::sourceFile("tests/support/planted/data/rigid_axis.yaml"));

@@ -24,11 +24,11 @@ constexpr int kCauseRole = Qt::UserRole + 1;
 
 QString shown(const std::string& words) { return QString::fromStdString(words); }
 
-/// Gain as "q2 on other data: 1.31 → 0.62 deg".
+/// Gain as "q2 on held-out data: 1.31 → 0.62 deg".
 QString gainWords(const diagnosis::Gain& gain) {
   if (gain.channel.empty()) return {};
   const diagnosis::ShownUnit unit = diagnosis::shownUnit(gain.unit);
-  return QObject::tr("%1 on other data: %2 → %3 %4")
+  return QObject::tr("%1 on held-out data: %2 → %3 %4")
       .arg(shown(gain.channel))
       .arg(unit.scale * gain.rms_before, 0, 'g', 3)
       .arg(unit.scale * gain.rms_after, 0, 'g', 3)
@@ -92,7 +92,7 @@ void CauseTree::showReport(const diagnosis::Report& report) {
   }
   causes_.insert(causes_.end(), report.also_measurable.begin(), report.also_measurable.end());
   also_ = report.also_measurable.empty() ? QString()
-                                         : tr("%1: %2")
+                                         : tr("%1 (%2)")
                                                .arg(shown(diagnosis::alsoMeasurableTitle(report)))
                                                .arg(report.also_measurable.size());
   fill();
@@ -109,9 +109,12 @@ void CauseTree::fill() {
     for (std::size_t i = 0; i < size; ++i) addCause(tie, next++);
   }
   if (next == 0)
-    addLine(nullptr, verdict_ == diagnosis::Verdict::kUnexplained
-                         ? tr("No hypothesis explains the residual; see the variables that it depends on.")
-                         : tr("No material cause."));
+    addLine(nullptr,
+            verdict_ == diagnosis::Verdict::kUnexplained
+                ? tr("No hypothesis explains the residual; see the variables that it depends on.")
+            : also_.isEmpty()
+                ? tr("No material cause.")
+                : tr("No cause above the tolerance. With a smaller one, what is measurable is a cause."));
   QTreeWidgetItem* first = nullptr;
   for (QTreeWidgetItemIterator it(this); *it && !first; ++it)
     if ((*it)->data(0, kCauseRole).isValid()) first = *it;
@@ -125,6 +128,7 @@ void CauseTree::fill() {
   expandAll();
   setUnfolded(unfolded_ || small_only);
   setCurrentItem(first);
+  scrollToTop();
 }
 
 void CauseTree::setUnfolded(bool unfolded) {
@@ -150,10 +154,11 @@ QTreeWidgetItem* CauseTree::addLine(QTreeWidgetItem* parent, const QString& word
 
 QTreeWidgetItem* CauseTree::addTitle(QTreeWidgetItem* parent, const Cause& cause) {
   auto* item = new QTreeWidgetItem;
-  const QString title = titleOf(cause.effect) + QStringLiteral(", ");
-  QString place = placeOf(cause.effect, cause.joint, {});
+  const bool placed = diagnosis::namesItsPlace(cause.effect);
+  const QString title = titleOf(cause.effect) + (placed ? QString() : QStringLiteral(", "));
+  QString place = placed ? QString() : placeOf(cause.effect, cause.joint, {});
   setWords(*item, kWords, title + place.replace(QLatin1Char(' '), QChar(QChar::Nbsp)));  // in one line
-  item->setToolTip(kWords, title + placeOf(cause.effect, cause.joint, robot_));
+  item->setToolTip(kWords, title + (placed ? QString() : placeOf(cause.effect, cause.joint, robot_)));
   item->setFont(kWords, textFont(kTableFont, true));
   item->setText(kProbability, percentText(cause.probability));
   item->setFont(kProbability, numberFont(kTableFont));

@@ -25,7 +25,7 @@ using diagnosis::Report;
 
 namespace {
 
-constexpr int kCauseShare = 25;  ///< share of the height for the causes, the rest for the figures [%]
+constexpr int kCauseShare = 30;  ///< share of the height for the causes, the rest for the figures [%]
 
 }  // namespace
 
@@ -153,6 +153,15 @@ void DiagnosisPanel::onInput() {
   said_.clear();
   failed_.clear();
   refresh();
+}
+
+/// Which recordings the report is of, and which other one the window shows.
+QString DiagnosisPanel::ofWords() const {
+  const QString diagnosed = fileNamesOf(of_.recordings);
+  const QFileInfo open(session_.recording);
+  return session_.recording.isEmpty() || of_.recordings.contains(open.absoluteFilePath())
+             ? tr("Of %1.").arg(diagnosed)
+             : tr("Of %1; the window shows %2.").arg(diagnosed, open.fileName());
 }
 
 bool DiagnosisPanel::canDiagnose() const {
@@ -292,7 +301,7 @@ void DiagnosisPanel::refresh() {
   if (!said_.isEmpty()) lines << said_;
   const Report* shown = job_.busy() ? nullptr : report();
   if (shown && said_.isEmpty()) {
-    if (!of_.recordings.isEmpty()) lines << tr("Of %1.").arg(fileNamesOf(of_.recordings));
+    if (!of_.recordings.isEmpty()) lines << ofWords();
     for (const std::string& notice : shown->notices) lines << QString::fromStdString(notice);
   }
   const QString all = lines.join('\n');

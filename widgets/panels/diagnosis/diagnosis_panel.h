@@ -83,6 +83,7 @@ class DiagnosisPanel : public WorkPanel {
   QWidget* makeInput();
   QWidget* makeBody();
   void onInput();
+  QString ofWords() const;
   bool canDiagnose() const;
   void makeButtons();
   void diagnoseOrCancel();

@@ -32,7 +32,10 @@ QString within(QString title) {
 QStringList namesOf(const std::vector<diagnosis::Cause>& causes, const robot::Description& robot) {
   QStringList names;
   for (const diagnosis::Cause& cause : causes)
-    names << within(titleOf(cause.effect)) + QStringLiteral(", ") + placeOf(cause.effect, cause.joint, robot);
+    names << within(titleOf(cause.effect)) +
+                 (diagnosis::namesItsPlace(cause.effect)
+                      ? QString()
+                      : QStringLiteral(", ") + placeOf(cause.effect, cause.joint, robot));
   return names;
 }
 

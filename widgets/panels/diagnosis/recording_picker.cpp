@@ -73,7 +73,8 @@ void RecordingPicker::askRobot() {
 void RecordingPicker::refresh() {
   FilePicker::refresh();
   offer_->setVisible(!offered_.isEmpty() && choice_.recordings != QStringList{offered_});
-  offer_->setToolTip(tr("Diagnose %1 alone").arg(QFileInfo(offered_).fileName()));
+  offer_->setToolTip(tr("Choose %1 alone, in place of the recordings above, for Diagnose (F5)")
+                         .arg(QFileInfo(offered_).fileName()));
   units_->setVisible(!choice_.read_as.isEmpty() || !offered_read_as_.isEmpty());
   units_->setText((choice_.read_as.isEmpty() ? tr("SI units") : tr("own units")) + QStringLiteral(" ▾"));
   units_->setToolTip(choice_.read_as.isEmpty() ? tr("Tables are read in SI units")

@@ -81,10 +81,12 @@ void RefitTable::fill() {
   setHeaderLabels({tr("parameter"), tr("robot file"), tr("without effects"),
                    effects_ ? tr("with effects") : tr("refitted"), tr("change")});
   setColumnHidden(kWithout, !effects_);
+  if (!numbers_.empty()) addLegend();
   for (const diagnosis::RefitNumber& number : numbers_) addNumber(number);
   for (const int column : {kNominal, kWithout, kValue, kChange}) resizeColumnToContents(column);
   fitNames();
   wrapWords(*this, kName);
+  scrollToTop();
 }
 
 /// Why the number is emphasised, or not.
@@ -99,6 +101,20 @@ QString RefitTable::tipOf(const diagnosis::RefitNumber& number) const {
                   "joint by more than the tolerance; %1")
                    .arg(remark)
              : remark;
+}
+
+void RefitTable::addLegend() {
+  auto* legend = new QTreeWidgetItem;
+  setWords(
+      *legend, kName,
+      tr("Bold: changed by more than two standard deviations, and the change alone moves a joint by more "
+         "than the tolerance. Grey: changed by less than two standard deviations. The others differ, and "
+         "it hardly matters to the joints."));
+  legend->setFlags(Qt::ItemIsEnabled);
+  legend->setForeground(kName, theme_.muted);
+  legend->setFont(kName, textFont(kTableFont - 0.5));
+  addTopLevelItem(legend);
+  legend->setFirstColumnSpanned(true);
 }
 
 void RefitTable::addNumber(const diagnosis::RefitNumber& number) {

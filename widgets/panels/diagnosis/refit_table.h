@@ -28,6 +28,7 @@ class RefitTable : public QTreeWidget {
   void fill();
   void fitNames();
   QString tipOf(const diagnosis::RefitNumber& number) const;
+  void addLegend();
   void addNumber(const diagnosis::RefitNumber& number);
 
   Theme theme_ = Theme::dark();
