@@ -42,7 +42,8 @@ constexpr double kLeast = 1e-6;  // the least pretension that differs from none 
 
 Starts slackStarts(const JointScales& s, int) {
   Starts all;
-  for (const double share : {0.6, 0.2}) all.push_back({{share * s.stretch}, {0.3 * s.stretch}});
+  for (const double share : {6.0, 2.0, 0.6, 0.2})  // accelerations and loads stretch it further than gravity
+    all.push_back({{share * s.stretch}, {std::max(0.3, 0.5 * share) * s.stretch}});
   return usable(std::move(all));
 }
 

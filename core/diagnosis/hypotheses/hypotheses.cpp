@@ -63,14 +63,6 @@ bool Hypothesis::haveOneForm(const EffectStart& a, const EffectStart& b) const {
   return true;
 }
 
-int Hypothesis::forms(const JointScales& scales, int joint) const {
-  std::vector<EffectStart> different;
-  for (EffectStart& start : starts(scales, joint))
-    if (std::ranges::none_of(different, [&](const EffectStart& one) { return haveOneForm(one, start); }))
-      different.push_back(std::move(start));
-  return std::max(1, static_cast<int>(different.size()));
-}
-
 double stretchOfRange(const JointScales& s) {
   return (s.stretch + s.load / s.radius / s.stiffness) / (s.radius * s.range);
 }

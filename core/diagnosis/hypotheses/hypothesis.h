@@ -98,8 +98,6 @@ struct Hypothesis {
   /// Whether two starts differ in the effect's size alone: in fitted numbers that are the first one or have
   /// the neutral value 0.
   bool haveOneForm(const EffectStart& a, const EffectStart& b) const;
-  /// Number of different forms of starts(); at least 1.
-  int forms(const JointScales& scales, int joint) const;
 };
 
 /// All hypotheses, in the order of robot::effectFacts().

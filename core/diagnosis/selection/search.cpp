@@ -37,8 +37,8 @@ class Search {
     SetFit base = fitter_.nominal(nominal, start ? nominal.carry(start->model, start->u)
                                                  : Eigen::VectorXd(Eigen::VectorXd::Zero(nominal.size())));
     found_.input_noise = inputNoise(data_, base.fit, base.weighting);
-    found_.prior = SetPrior(recordings_, nominal.scales(),
-                            static_cast<int>(candidatesOf(recordings_, nominal, options_.only).size()));
+    found_.prior =
+        SetPrior(recordings_, static_cast<int>(candidatesOf(recordings_, nominal, options_.only).size()));
     score_.emplace(scoredChannels(data_, found_.input_noise), data_.blocks(), kDraws, options_.seed);
     keep(std::move(base));
     if (start) tryStart(*start);
@@ -248,7 +248,17 @@ class Search {
       for (Candidate& candidate : testedCandidates(parent, tests, trials, ++round_, *score_))
         found_.tested.push_back(std::move(candidate));
     settleBest(std::move(trials), parent, promising, settled);
+    if (effects.empty()) tryFromNominal(parent, candidates);
     if (!effects.empty() && effects != found_.best) SetFitter::thin(at(effects));
+  }
+
+  /// Effects that the refit hides, since the nominal parameters have moved in their place.
+  void tryFromNominal(const SetFit& parent, std::vector<EffectCandidate> candidates) {
+    std::erase_if(candidates, [&](const auto& effect) { return isSettled(plus(parent.effects, effect)); });
+    std::vector<SetFit> trials = bestOfEach(fitter_.extendedFromNominal(parent, candidates, kFromNominal));
+    sortByFit(trials);
+    while (trials.size() > kRestarts) trials.pop_back();
+    keepThin(fitter_.settled(std::move(trials)));
   }
 
   void sortByFit(std::vector<SetFit>& sets) const {
@@ -304,9 +314,8 @@ class Search {
   }
 
   /// Fits to the end the best trials that are better than the set which they extend; far from an explanation
-  /// the best ones in any case. Trials that gain much less than their score tests predict are also fitted
-  /// from the nominal parameters: the parent's may have moved so far in place of the effect that no fit
-  /// returns.
+  /// the best ones in any case. Trials that gain much less than predicted are also fitted from the nominal
+  /// parameters: the parent's may have moved so far in place of the effect that no fit returns.
   void settleBest(std::vector<SetFit> trials, const SetFit& parent, const std::vector<ScoreTest>& tests,
                   std::size_t most) {
     if (trials.empty()) return;

@@ -16,6 +16,8 @@ inline constexpr std::size_t kSettled = 5, kNeighbourSettled = 2;
 inline constexpr int kNeighbourRefits = 4;
 /// Trials of an expansion that are also fitted from the nominal parameters.
 inline constexpr std::size_t kRestarts = 2;
+/// Candidates that are fitted from the nominal parameters because they score best there.
+inline constexpr std::size_t kFromNominal = 4;
 /// Short fits of the best set in other forms that are fitted to the end.
 inline constexpr std::size_t kOtherForms = 2;
 /// Share of the best trial's gain, and of a loss to be made up, that is pursued.

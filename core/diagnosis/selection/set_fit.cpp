@@ -74,6 +74,17 @@ std::vector<SetFit> SetFitter::extended(const SetFit& parent, const std::vector<
   return fitted(tasks, std::move(effects));
 }
 
+std::vector<SetFit> SetFitter::extendedFromNominal(const SetFit& parent,
+                                                   const std::vector<EffectCandidate>& candidates,
+                                                   std::size_t most) const {
+  SetFit nominal = fromNominal(parent);
+  nominal.fit = linearise(data_, nominal.fit.model, nominal.fit.u, nominal.fit.initial, nominal.weighting);
+  const Weighting own{weightsFor(data_, nominal.fit.e)};  // of the residual there, which is far larger
+  std::vector<ScoreTest> tests = screen(data_, nominal.fit, own, candidates);
+  if (tests.size() > most) tests.erase(tests.begin() + static_cast<std::ptrdiff_t>(most), tests.end());
+  return extended(nominal, tests);
+}
+
 SetFit SetFitter::extended(const SetFit& parent, const EffectSet& effects, const Fit& from) const {
   FitModel model = parent.fit.model;
   EffectSet all = parent.effects;

@@ -37,6 +37,11 @@ class SetFitter {
   SetFit nominal(const FitModel& model, const Eigen::VectorXd& u) const;
   /// Short fits of `parent` with one more effect each, which starts as the score test predicts.
   std::vector<SetFit> extended(const SetFit& parent, const std::vector<ScoreTest>& tests) const;
+  /// The same from the nominal values of the nominal robot's parameters, where the `most` of `candidates` are
+  /// chosen by their score tests: a refit may have moved these parameters in place of an effect.
+  std::vector<SetFit> extendedFromNominal(const SetFit& parent,
+                                          const std::vector<EffectCandidate>& candidates,
+                                          std::size_t most) const;
   /// Short fit of `parent` with several effects of `from`, which start from the parameters of `from`.
   SetFit extended(const SetFit& parent, const EffectSet& effects, const Fit& from) const;
   /// Short fits of sets without one of their effects each.

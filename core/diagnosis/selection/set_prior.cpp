@@ -8,24 +8,15 @@
 
 namespace capstan::diagnosis {
 
-SetPrior::SetPrior(const std::vector<Evidence>& recordings, const std::vector<JointScales>& scales,
-                   int candidates)
-    : candidates_(candidates) {
-  double instants = 1.0;  // that score tests try
-  for (const Evidence& evidence : recordings) instants = std::max(instants, evidence.duration() / kEventStep);
-  const int joints = static_cast<int>(scales.size());
-  for (const Hypothesis& hypothesis : hypotheses()) {
-    const bool once = std::ranges::any_of(hypothesis.facts->parameters, isEventTime);
-    const bool whole = hypothesis.facts->whole;
-    for (int joint = whole ? 0 : 1; joint <= (whole ? 0 : joints); ++joint)
-      log_forms_[{&hypothesis, joint}] =
-          std::log(once ? instants : hypothesis.forms(scalesOf(scales, joint), joint));
-  }
+SetPrior::SetPrior(const std::vector<Evidence>& recordings, int candidates) : candidates_(candidates) {
+  for (const Evidence& evidence : recordings)
+    instants_ = std::max(instants_, evidence.duration() / kEventStep);
 }
 
 double SetPrior::of(const EffectSet& effects) const {
   double prior = logPrior(effects.size(), candidates_);
-  for (const EffectCandidate& effect : effects) prior -= log_forms_.at(effect);
+  for (const EffectCandidate& effect : effects)
+    if (std::ranges::any_of(effect.hypothesis->facts->parameters, isEventTime)) prior -= std::log(instants_);
   return prior;
 }
 

@@ -84,5 +84,15 @@ TEST(SetFit, ShapesReachThoseOfAllForms) {
   }
 }
 
+TEST(SetFit, TestsEffectsAtTheNominalParametersToo) {
+  const Fitted of(test::Effect::kBacklash);
+  const std::vector<EffectCandidate> candidates = candidatesOf(of.planted.evidence, of.base, {});
+  const std::vector<SetFit> sets = of.fitter.extendedFromNominal(of.nominal, candidates, 3);
+  ASSERT_EQ(sets.size(), 3U);
+  const EffectSet backlash({{hypothesisNamed("backlash"), 2}});
+  EXPECT_TRUE(std::ranges::any_of(sets, [&](const SetFit& set) { return set.effects == backlash; }));
+  for (const SetFit& set : sets) EXPECT_FALSE(set.settled);
+}
+
 }  // namespace
 }  // namespace capstan::diagnosis
