@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <iterator>
 
 #include "core/base/resource.h"
 #include "core/diagnosis/diagnose_files.h"
@@ -32,7 +33,10 @@ struct Group {
 /// The .csv files of a folder whose names contain one of `parts`, sorted.
 Paths tables(const std::filesystem::path& folder, const std::vector<std::string>& parts) {
   Paths files;
-  if (!std::filesystem::exists(folder)) return files;
+  if (!std::filesystem::exists(folder)) {
+    fmt::print("skipped: {} is not on this machine\n", folder.string());
+    return files;
+  }
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
     const auto is_in_name = [&](const std::string& part) { return name.find(part) != std::string::npos; };
@@ -42,27 +46,30 @@ Paths tables(const std::filesystem::path& folder, const std::vector<std::string>
   return files;
 }
 
-std::vector<Group> groupsOf(const std::filesystem::path& data) {
-  const std::filesystem::path raven = base::resource("robots/raven2_left.yaml");
-  const auto robotFile = [](const std::string& name) {
-    return test::sourceFile("tests/core/diagnosis/data/" + name);
-  };
+/// Each file for itself.
+std::vector<Group> each(const Group& all) {
   std::vector<Group> groups;
-  const auto add = [&](const std::string& folder, const std::vector<std::string>& parts, bool together,
-                       const std::filesystem::path& robot, double skip_start) {
-    const Paths files = tables(data / folder, parts);
-    if (files.empty()) fmt::print("skipped: {} is not on this machine\n", (data / folder).string());
-    if (together && !files.empty()) groups.push_back({folder, files, robot, skip_start});
-    if (!together)
-      for (const std::filesystem::path& file : files)
-        groups.push_back({folder + "/" + file.stem().string(), {file}, robot, skip_start});
+  for (const std::filesystem::path& file : all.files)
+    groups.push_back({all.title + "/" + file.stem().string(), {file}, all.robot, all.skip_start});
+  return groups;
+}
+
+std::vector<Group> groupsOf(const std::filesystem::path& data) {
+  const std::filesystem::path raven = base::resource("robots/raven2_left.yaml"),
+                              robots = test::sourceFile("tests/core/diagnosis/data"),
+                              jaw = robots / "jaw.yaml", axis = robots / "emps_axis.yaml";
+  const std::vector<std::string> slow{"_0.1Hz", "_0.3Hz"};
+  std::vector<Group> groups;
+  for (const std::string name : {"davinci-jaw", "davinci-jaw-right"})
+    groups.push_back({name, tables(data / name, slow), jaw, 1.0});
+  const auto add = [&](const std::string& name, const std::filesystem::path& robot) {
+    std::ranges::move(each({name, tables(data / name, {".csv"}), robot}), std::back_inserter(groups));
   };
-  add("davinci-jaw", {"_0.1Hz", "_0.3Hz"}, true, robotFile("jaw.yaml"), 1.0);
-  add("davinci-jaw-right", {"_0.1Hz", "_0.3Hz"}, true, robotFile("jaw.yaml"), 1.0);
-  add("emps", {"train", "test"}, false, robotFile("emps_axis.yaml"), 0.0);
-  add("raven2-phasespace", {"left_arm"}, false, {}, 0.0);
-  add("plant", {"rec"}, false, raven, 0.0);
-  add("plant-textured", {"rec"}, false, raven, 0.0);
+  add("emps", axis);
+  add("raven2-phasespace", {});
+  add("plant", raven);
+  add("plant-textured", raven);
+  std::erase_if(groups, [](const Group& group) { return group.files.empty(); });
   return groups;
 }
 

@@ -55,14 +55,6 @@ std::vector<EffectStart> Hypothesis::starts(const JointScales& scales, int joint
   return all;
 }
 
-bool Hypothesis::haveOneForm(const EffectStart& a, const EffectStart& b) const {
-  for (std::size_t k = 0; k < a.value.size(); ++k) {
-    const bool is_fixed = a.scale[k] == 0.0 && b.scale[k] == 0.0, is_shape = k > 0 && neutral[k] != 0.0;
-    if ((is_fixed || is_shape) && a.value[k] != b.value[k]) return false;
-  }
-  return true;
-}
-
 double stretchOfRange(const JointScales& s) {
   return (s.stretch + s.load / s.radius / s.stiffness) / (s.radius * s.range);
 }

@@ -95,9 +95,6 @@ struct Hypothesis {
   /// Starts of fits for joint `joint` (from 1; 0: whole arm): several if the effect is not linear in its
   /// parameters, none if the robot cannot have the effect.
   std::vector<EffectStart> starts(const JointScales& scales, int joint) const;
-  /// Whether two starts differ in the effect's size alone: in fitted numbers that are the first one or have
-  /// the neutral value 0.
-  bool haveOneForm(const EffectStart& a, const EffectStart& b) const;
 };
 
 /// All hypotheses, in the order of robot::effectFacts().

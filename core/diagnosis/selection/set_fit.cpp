@@ -110,12 +110,23 @@ std::vector<SetFit> SetFitter::reduced(const std::vector<Removal>& removals) con
 
 namespace {
 
+/// Whether two starts differ in the effect's size alone: in fitted numbers that are the first one or have the
+/// neutral value 0.
+bool haveOneForm(const Hypothesis& hypothesis, const EffectStart& a, const EffectStart& b) {
+  for (std::size_t k = 0; k < a.value.size(); ++k) {
+    const bool is_fixed = a.scale[k] == 0.0 && b.scale[k] == 0.0;
+    const bool is_shape = k > 0 && hypothesis.neutral[k] != 0.0;
+    if ((is_fixed || is_shape) && a.value[k] != b.value[k]) return false;
+  }
+  return true;
+}
+
 /// Starts of the effect of `term` in other forms. Score tests have changed its size.
 std::vector<EffectStart> otherForms(const EffectTerm& term, const JointScales& scales) {
   if (std::ranges::any_of(term.hypothesis->facts->parameters, isEventTime)) return {};
   std::vector<EffectStart> others = term.hypothesis->starts(scales, term.joint);
   std::erase_if(others,
-                [&](const EffectStart& start) { return term.hypothesis->haveOneForm(start, term.start); });
+                [&](const EffectStart& start) { return haveOneForm(*term.hypothesis, start, term.start); });
   return others;
 }
 

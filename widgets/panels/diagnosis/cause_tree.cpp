@@ -154,11 +154,11 @@ QTreeWidgetItem* CauseTree::addLine(QTreeWidgetItem* parent, const QString& word
 
 QTreeWidgetItem* CauseTree::addTitle(QTreeWidgetItem* parent, const Cause& cause) {
   auto* item = new QTreeWidgetItem;
-  const bool placed = diagnosis::namesItsPlace(cause.effect);
-  const QString title = titleOf(cause.effect) + (placed ? QString() : QStringLiteral(", "));
-  QString place = placed ? QString() : placeOf(cause.effect, cause.joint, {});
-  setWords(*item, kWords, title + place.replace(QLatin1Char(' '), QChar(QChar::Nbsp)));  // in one line
-  item->setToolTip(kWords, title + (placed ? QString() : placeOf(cause.effect, cause.joint, robot_)));
+  const QString title = titleOf(cause.effect);
+  QString place = placeAfterTitle(cause.effect, cause.joint, {});
+  if (!place.isEmpty()) place = place.left(2) + place.mid(2).replace(QLatin1Char(' '), QChar(QChar::Nbsp));
+  setWords(*item, kWords, title + place);  // the place in one line
+  item->setToolTip(kWords, title + placeAfterTitle(cause.effect, cause.joint, robot_));
   item->setFont(kWords, textFont(kTableFont, true));
   item->setText(kProbability, percentText(cause.probability));
   item->setFont(kProbability, numberFont(kTableFont));

@@ -32,10 +32,7 @@ QString within(QString title) {
 QStringList namesOf(const std::vector<diagnosis::Cause>& causes, const robot::Description& robot) {
   QStringList names;
   for (const diagnosis::Cause& cause : causes)
-    names << within(titleOf(cause.effect)) +
-                 (diagnosis::namesItsPlace(cause.effect)
-                      ? QString()
-                      : QStringLiteral(", ") + placeOf(cause.effect, cause.joint, robot));
+    names << within(titleOf(cause.effect)) + placeAfterTitle(cause.effect, cause.joint, robot);
   return names;
 }
 
@@ -55,6 +52,10 @@ QString titleOf(const std::string& effect) { return text(diagnosis::titleOf(effe
 QString placeOf(const std::string& effect, int joint, const robot::Description& robot) {
   const QString name = jointName(robot, joint), place = text(diagnosis::shownJoint(effect, joint));
   return name.isEmpty() ? place : QStringLiteral("%1 (%2)").arg(place, name);
+}
+
+QString placeAfterTitle(const std::string& effect, int joint, const robot::Description& robot) {
+  return diagnosis::namesItsPlace(effect) ? QString() : QStringLiteral(", ") + placeOf(effect, joint, robot);
 }
 
 QStringList tiedNames(const diagnosis::Tie& tie, const robot::Description& robot) {

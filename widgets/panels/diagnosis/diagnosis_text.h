@@ -14,6 +14,9 @@ QString titleOf(const std::string& effect);
 /// Location of an effect: "joint 2 (elbow)", "whole arm", "cameras"; joint names of `robot`.
 QString placeOf(const std::string& effect, int joint, const robot::Description& robot);
 
+/// The same after a title: ", joint 2 (elbow)"; nothing for effects whose title names the cameras.
+QString placeAfterTitle(const std::string& effect, int joint, const robot::Description& robot);
+
 /// Causes of a tie, the most probable one first: "backlash of the cable drive, joint 2 (elbow)".
 QStringList tiedNames(const diagnosis::Tie& tie, const robot::Description& robot);
 
