@@ -23,7 +23,7 @@ struct FittedSet {
 
 /// Each axis of the tip is one sensor.
 ScoredChannels channelsOf(const PoseData& data, const PoseFit& base) {
-  return {{0, 1, 2}, noiseOf(data, base.e), Eigen::VectorXd::Zero(3)};
+  return {{0, 1, 2}, noiseOf(data, base.e), noInputNoise(3), noInputNoise(3)};
 }
 
 class PoseSearch {

@@ -104,7 +104,7 @@ Explainable explainableOf(const FitData& data, const Selection& s, const robot::
                                                             : MeasuredRegression{base::kNaN, {}};
   const Pooled pooled = pooledOf(data, s, nominal, group);
   Channel channel = pooled.channel;
-  channel.noise = std::hypot(group.channel.noise, s.input_noise[group.members.front()]);
+  channel.noise = std::hypot(group.channel.noise, s.input_noise.rms[group.members.front()]);
   const double refitted = meanSquareOf(s.base_squares, group);
   return explainableFrom(
       channel, refitted, meanSquareOf(s.best_squares, group), linear, refitted,

@@ -12,11 +12,13 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-ScoredChannels scoredChannels(const FitData& data, const VectorXd& input_noise) {
-  ScoredChannels channels{
-      {data.sensorOf().begin(), data.sensorOf().end()}, VectorXd(input_noise.size()), input_noise};
-  for (Index c = 0; c < input_noise.size(); ++c)
-    channels.noise[c] = data.channels()[static_cast<std::size_t>(c)].noise;
+ScoredChannels scoredChannels(const FitData& data, const Fit& at, const Weighting& weighting) {
+  const std::vector<ComparedChannel>& of = data.channels();
+  ScoredChannels channels{{data.sensorOf().begin(), data.sensorOf().end()},
+                          VectorXd(static_cast<Index>(of.size())),
+                          inputNoise(data, at, weighting),
+                          torqueNoise(data, at, weighting)};
+  for (std::size_t c = 0; c < of.size(); ++c) channels.noise[static_cast<Index>(c)] = of[c].noise;
   return channels;
 }
 
@@ -24,22 +26,38 @@ PredictiveScore::PredictiveScore(const ScoredChannels& channels, Index blocks, i
     : group_(channels.sensor) {
   const Index count = group_.empty() ? 0 : 1 + *std::ranges::max_element(group_);
   VectorXd in_group = VectorXd::Zero(count);
-  noise_ = floor_ = VectorXd::Zero(count);
+  parts_.resize(static_cast<std::size_t>(count));
   for (Index c = 0; c < channels.noise.size(); ++c) {
-    const double sensor = std::pow(channels.noise[c], 2), input = std::pow(channels.input_noise[c], 2);
     const Index g = group_[static_cast<std::size_t>(c)];
-    noise_[g] += sensor + input;
-    floor_[g] += kSensorConfidence * sensor + input;
+    GroupNoise& part = parts_[static_cast<std::size_t>(g)];
+    part.sensor += std::pow(channels.noise[c], 2);
+    part.input += std::pow(channels.input.rms[c], 2);
+    part.torque += std::pow(channels.torque.rms[c], 2);
+    part.input_correlation = std::max(part.input_correlation, channels.input.correlation[c]);
+    part.torque_correlation = std::max(part.torque_correlation, channels.torque.correlation[c]);
     in_group[g] += 1.0;
   }
-  for (VectorXd* of : {&noise_, &floor_})
-    *of = of->cwiseQuotient(in_group).cwiseMax(std::numeric_limits<double>::min());
+  noise_ = floor_ = VectorXd(count);
+  for (Index g = 0; g < count; ++g) {
+    GroupNoise& part = parts_[static_cast<std::size_t>(g)];
+    for (double* variance : {&part.sensor, &part.input, &part.torque}) *variance /= in_group[g];
+    noise_[g] = std::max(part.sensor + part.input, std::numeric_limits<double>::min());
+    floor_[g] = std::max(kSensorConfidence * part.sensor + part.input, std::numeric_limits<double>::min());
+  }
   inflation_ = best_ = VectorXd::Constant(count, std::numeric_limits<double>::infinity());
   times_ = MatrixXd::Zero(blocks, draws);
   base::Random random(seed, "block bootstrap");
   for (Index d = 0; d < draws; ++d)
     for (Index b = 0; b < times_.rows(); ++b)
       times_(static_cast<Index>(random.bits() % static_cast<std::uint64_t>(times_.rows())), d) += 1.0;
+}
+
+double PredictiveScore::GroupNoise::inflation(double variance) const {
+  const double unknown = std::clamp(variance - sensor - input, 0.0, torque);
+  const double correlated = std::sqrt(input_correlation) * input + std::sqrt(torque_correlation) * unknown;
+  const double sum = sensor + input + unknown;
+  if (!(sum > 0.0)) return 1.0;
+  return (sensor * sensor + 2.0 * sensor * (input + unknown) + correlated * correlated) / (sum * sum);
 }
 
 void PredictiveScore::learnInflation(const BlockSquares& squares) {
@@ -50,6 +68,7 @@ void PredictiveScore::learnInflation(const BlockSquares& squares) {
   const VectorXd variance = variances(squares).cwiseMax(noise_);
   for (Index g = 0; g < own.size(); ++g) {
     if (variance[g] > best_[g]) continue;
+    own[g] = std::max(own[g], parts_[static_cast<std::size_t>(g)].inflation(variance[g]));
     inflation_[g] = variance[g] < best_[g] ? own[g] : std::min(inflation_[g], own[g]);
     best_[g] = variance[g];
   }

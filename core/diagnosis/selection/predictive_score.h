@@ -5,16 +5,18 @@
 #include <vector>
 
 #include "core/diagnosis/fit/cross_validation.h"
+#include "core/diagnosis/fit/input_noise.h"
 
 namespace capstan::diagnosis {
 
 /// Sensor and noise of each channel of the residuals that are scored.
 struct ScoredChannels {
   std::vector<Eigen::Index> sensor;
-  Eigen::VectorXd noise;        ///< RMS per channel of the sensor's noise
-  Eigen::VectorXd input_noise;  ///< RMS per channel that noise of the inputs causes (inputNoise())
+  Eigen::VectorXd noise;     ///< RMS per channel of the sensor's noise
+  InputNoise input, torque;  ///< inputNoise() and torqueNoise()
 };
-ScoredChannels scoredChannels(const FitData& data, const Eigen::VectorXd& input_noise);
+/// Noise in simulations of a fitted robot.
+ScoredChannels scoredChannels(const FitData& data, const Fit& at, const Weighting& weighting);
 
 /// Log predictive density of candidate models on held-out blocks [nats]:
 ///     −½ Σ_g N_g ln max(S_g / n_g, floor_g),   N_g = n_g / inflation_g.
@@ -23,7 +25,9 @@ ScoredChannels scoredChannels(const FitData& data, const Eigen::VectorXd& input_
 /// is fitted perfectly cannot outvote the others. floor_g is kSensorConfidence times the variance of the
 /// sensor's noise, which is an estimate, plus the variance that noise of the inputs causes.
 /// inflation_g is the correlation length of the residual in samples: that of the model which fits the sensor
-/// best, and the same for all models.
+/// best, at least that of the noise in such a residual, and the same for all models. Noise has three parts:
+/// of the sensor, which is white; of the inputs; and of torques between the rows as far as the residual
+/// exceeds the other two, because this part is known by its upper bound only.
 class PredictiveScore {
  public:
   /// `blocks`: number of blocks of the residuals. `draws`: number of block bootstraps.
@@ -52,8 +56,17 @@ class PredictiveScore {
   Eigen::VectorXd scores(const Eigen::MatrixXd& sum, const Eigen::MatrixXd& count,
                          const Eigen::VectorXd& floor) const;
 
+  /// Noise of a group's residual.
+  struct GroupNoise {
+    double sensor = 0.0, input = 0.0, torque = 0.0;            ///< variances
+    double input_correlation = 1.0, torque_correlation = 1.0;  ///< InputNoise::correlation
+    /// Correlation length of the noise in a residual with this variance.
+    double inflation(double variance) const;
+  };
+
   std::vector<Eigen::Index> group_;            ///< group of each channel
   Eigen::VectorXd noise_, floor_, inflation_;  ///< variances and correlation length, one entry per group
+  std::vector<GroupNoise> parts_;
   Eigen::VectorXd best_;   ///< smallest variance of a residual so far, not below the noise
   Eigen::MatrixXd times_;  ///< how often each block is drawn, blocks × draws
 };

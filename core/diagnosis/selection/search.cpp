@@ -8,7 +8,6 @@
 #include <optional>
 #include <set>
 
-#include "core/diagnosis/fit/input_noise.h"
 #include "core/diagnosis/selection/optimism.h"
 #include "core/diagnosis/selection/search_limits.h"
 #include "core/diagnosis/selection/search_progress.h"
@@ -36,10 +35,10 @@ class Search {
     report("Refitting the nominal structure");
     SetFit base = fitter_.nominal(nominal, start ? nominal.carry(start->model, start->u)
                                                  : Eigen::VectorXd(Eigen::VectorXd::Zero(nominal.size())));
-    found_.input_noise = inputNoise(data_, base.fit, base.weighting);
+    found_.channels = scoredChannels(data_, base.fit, base.weighting);
     found_.prior =
         SetPrior(recordings_, static_cast<int>(candidatesOf(recordings_, nominal, options_.only).size()));
-    score_.emplace(scoredChannels(data_, found_.input_noise), data_.blocks(), kDraws, options_.seed);
+    score_.emplace(found_.channels, data_.blocks(), kDraws, options_.seed);
     keep(std::move(base));
     if (start) tryStart(*start);
     while (!cancelled(progress_) &&

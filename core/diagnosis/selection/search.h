@@ -25,7 +25,7 @@ struct SearchOptions {
 struct SearchResult {
   EffectSet best;
   std::map<EffectSet, SetFit> sets;  ///< all tried sets; thinned except the best and the empty one
-  Eigen::VectorXd input_noise;       ///< RMS per channel that noise of the inputs causes (inputNoise())
+  ScoredChannels channels;           ///< what the sets are scored on
   SetPrior prior;                    ///< prior of the sets
   std::vector<Candidate> tested;     ///< tested candidates, in the order of the expansions
   bool complete = true;              ///< false: ended by kMostWork

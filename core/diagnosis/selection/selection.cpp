@@ -15,7 +15,7 @@ constexpr double kProgressOfSearch =
     0.85;  // the rest is for the fits of the selected set without its effects
 
 PredictiveScore scoreOf(const FitData& data, const SearchResult& found, std::uint64_t seed) {
-  PredictiveScore score(scoredChannels(data, found.input_noise), data.blocks(), kDraws, seed);
+  PredictiveScore score(found.channels, data.blocks(), kDraws, seed);
   for (const auto& [effects, set] : found.sets)
     if (set.settled) score.learnInflation(set.squares);
   return score;
@@ -78,7 +78,7 @@ Selection select(const FitData& data, const std::vector<Evidence>& recordings, c
   fitter.relinearise(best);
   Selection s{.base = base.fit,
               .base_squares = base.squares,
-              .input_noise = found.input_noise,
+              .input_noise = found.channels.input,
               .torque_noise = torqueNoise(data, best.fit, best.weighting),
               .best = best.fit,
               .best_squares = best.squares,

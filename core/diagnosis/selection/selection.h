@@ -4,6 +4,7 @@
 
 #include "core/base/progress.h"
 #include "core/diagnosis/fit/cross_validation.h"
+#include "core/diagnosis/fit/input_noise.h"
 #include "core/diagnosis/report/report.h"
 #include "core/diagnosis/selection/posterior.h"
 #include "core/diagnosis/selection/search.h"
@@ -25,9 +26,9 @@ struct ProbableSet {
 struct Selection {
   Fit base;  ///< fit of the nominal robot without effects
   BlockSquares base_squares;
-  Eigen::VectorXd input_noise;   ///< RMS per channel that noise of the inputs causes (inputNoise())
-  Eigen::VectorXd torque_noise;  ///< RMS per channel that torques between the rows can cause (torqueNoise())
-  Fit best;                      ///< fit with the selected effects
+  InputNoise input_noise;   ///< inputNoise() of the nominal structure
+  InputNoise torque_noise;  ///< torqueNoise() of the selected model
+  Fit best;                 ///< fit with the selected effects
   BlockSquares best_squares;
   Weighting weighting;                             ///< weights of `best`
   std::vector<SelectedEffect> effects;             ///< effects with the largest loss first

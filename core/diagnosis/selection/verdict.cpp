@@ -22,16 +22,16 @@ constexpr double kFar = 4.0;  // times what may be chance: no test needed
 
 /// Mean square of the noise of the simulation's inputs, and of torques between the rows.
 double inputSquare(const Selection& s, Eigen::Index c) {
-  return s.input_noise[c] * s.input_noise[c] + s.torque_noise[c] * s.torque_noise[c];
+  return s.input_noise.rms[c] * s.input_noise.rms[c] + s.torque_noise.rms[c] * s.torque_noise.rms[c];
 }
 
 /// Mean square of all noise of a channel. Of torques between the rows, whose noise is known by its upper
 /// bound only, it is at most what the effects leave.
 double noiseSquare(const FitData& data, const Selection& s, Eigen::Index c) {
   const double sensor = data.channels()[static_cast<std::size_t>(c)].noise;
-  const double known = sensor * sensor + s.input_noise[c] * s.input_noise[c];
+  const double known = sensor * sensor + s.input_noise.rms[c] * s.input_noise.rms[c];
   const double left = std::max(0.0, s.best_squares.meanSquare(c) - known);
-  return known + std::min(s.torque_noise[c] * s.torque_noise[c], left);
+  return known + std::min(s.torque_noise.rms[c] * s.torque_noise.rms[c], left);
 }
 
 /// Of "rad or m" what the joint goes by.

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 
 #include "core/diagnosis/diagnose.h"
 #include "core/diagnosis/evidence/read_evidence.h"
@@ -23,13 +24,13 @@ struct Sound {
       robot::readDescription(test::sourceFile("tests/support/planted/data/rigid_axis.yaml"));
   std::vector<Evidence> evidence;
 
-  explicit Sound(double load_sigma, int row_period = 1) {
+  explicit Sound(double load_sigma, int row_period = 1, std::uint64_t seed = 5) {
     test::DrawOptions options;
     options.robot = robot;
     options.rigid = true;
     options.effects = 0;
     options.duration = 20.0;
-    test::PlantedCase drawn = test::draw(5, options);
+    test::PlantedCase drawn = test::draw(seed, options);
     drawn.sensors.load_cells = true;
     drawn.sensors.load_sigma = load_sigma;
     drawn.sensors.row_period = row_period;
@@ -47,7 +48,7 @@ TEST(InputNoise, IsWhatARefittedRobotLeavesBeyondItsEncoders) {
   const Sound sound(0.4);
   const FitData data(sound.evidence, sound.robot, kHorizons[1], EncoderZeros::kKnown, 2);
   const Selection s = sound.refitted(data);
-  const double sensor = data.channels()[0].noise, input = s.input_noise[0];
+  const double sensor = data.channels()[0].noise, input = s.input_noise.rms[0];
   const BlockSquares squares = squaresOf(data, s.base.e);
   const double left = std::sqrt(squares.sum.row(0).sum() / squares.count.row(0).sum());
   EXPECT_GT(input, sensor);
@@ -59,7 +60,23 @@ TEST(InputNoise, IsNextToNothingBehindGoodLoadCells) {
   const Sound sound(1e-5);
   const FitData data(sound.evidence, sound.robot, kHorizons[1], EncoderZeros::kKnown, 2);
   const Selection s = sound.refitted(data);
-  EXPECT_LT(s.input_noise[0], 0.2 * data.channels()[0].noise);
+  EXPECT_LT(s.input_noise.rms[0], 0.2 * data.channels()[0].noise);
+}
+
+TEST(InputNoise, HasAsManyIndependentReadingsAsRecordingsOfOneAxisShow) {
+  constexpr int kRecordings = 12;
+  double squares = 0.0, expected = 0.0;
+  for (int seed = 1; seed <= kRecordings; ++seed) {
+    const Sound sound(4.0, 1, static_cast<std::uint64_t>(seed));
+    const FitData data(sound.evidence, sound.robot, kHorizons[1], EncoderZeros::kKnown, 2);
+    const Selection s = sound.refitted(data);
+    const double left = squaresOf(data, s.base.e).meanSquare(0);
+    const double noise = std::pow(data.channels()[0].noise, 2) + std::pow(s.input_noise.rms[0], 2);
+    squares += std::pow(left / noise - 1.0, 2);
+    expected += 2.0 * s.input_noise.correlation[0] / static_cast<double>(data.size());
+  }
+  EXPECT_GT(squares, 0.4 * expected);
+  EXPECT_LT(squares, 2.5 * expected);
 }
 
 TEST(InputNoise, IsNoEffect) {
@@ -74,7 +91,7 @@ TEST(TorqueNoise, IsWhatARefittedRobotLeavesWhereTorquesAreNotRecorded) {
     const Sound sound(1e-5, period);
     const FitData data(sound.evidence, sound.robot, kHorizons[1], EncoderZeros::kKnown, 2);
     const Selection s = sound.refitted(data);
-    const double sensor = data.channels()[0].noise, torque = s.torque_noise[0];
+    const double sensor = data.channels()[0].noise, torque = s.torque_noise.rms[0];
     const double left = std::sqrt(squaresOf(data, s.base.e).meanSquare(0));
     EXPECT_GT(torque, 0.5 * sensor);
     EXPECT_LT(left, 1.2 * std::hypot(sensor, period == 1 ? 0.0 : torque)) << period;

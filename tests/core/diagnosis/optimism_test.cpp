@@ -21,7 +21,8 @@ struct Sets {
   EffectCandidate backlash{hypothesisNamed("backlash"), 1}, slack{hypothesisNamed("slack"), 1};
   EffectSet none, one{backlash}, both = plus(EffectSet{backlash}, slack), other{slack};
   std::map<EffectSet, SetFit> sets;
-  PredictiveScore score{{{0}, Eigen::VectorXd::Constant(1, 1e-6), Eigen::VectorXd::Zero(1)}, 2, 10, 1};
+  PredictiveScore score{
+      {{0}, Eigen::VectorXd::Constant(1, 1e-6), noInputNoise(1), noInputNoise(1)}, 2, 10, 1};
 
   void add(const EffectSet& effects, double fitted, double held_out, bool settled = true) {
     SetFit set{effects, {.model = FitModel(robot::Description(), {})}, {}};

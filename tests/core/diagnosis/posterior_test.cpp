@@ -36,7 +36,7 @@ BlockSquares residuals(double mean_square) {
 struct Choice {
   BlockSquares squares = residuals(1.0);
   PredictiveScore score{
-      {{0}, Eigen::VectorXd::Constant(1, 1e-3), Eigen::VectorXd::Zero(1)}, kBlocks, kDraws, 1};
+      {{0}, Eigen::VectorXd::Constant(1, 1e-3), noInputNoise(1), noInputNoise(1)}, kBlocks, kDraws, 1};
   std::vector<Model> models;
 
   Choice() { score.learnInflation(squares); }

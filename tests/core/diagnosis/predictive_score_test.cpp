@@ -63,9 +63,18 @@ struct TwoRecordings {
     return all;
   }
 
+  ScoredChannels channels() const {
+    return {{data->sensorOf().begin(), data->sensorOf().end()},
+            Eigen::Vector2d(data->channels()[0].noise, data->channels()[1].noise),
+            noInputNoise(2),
+            noInputNoise(2)};
+  }
+
   PredictiveScore score(const VectorXd& input_noise = VectorXd::Zero(2), int draws = 0,
                         std::uint64_t seed = 1) const {
-    return {scoredChannels(*data, input_noise), data->blocks(), draws, seed};
+    ScoredChannels channels = this->channels();
+    channels.input.rms = input_noise;
+    return {channels, data->blocks(), draws, seed};
   }
 };
 
@@ -145,6 +154,29 @@ TEST(PredictiveScore, InflationIsSharedByAllModels) {
   EXPECT_NEAR(score.of(smooth), 2.0 * alone, 1e-9) << "a model that fits worse teaches nothing";
   smooth.inflation.setConstant(100.0);
   EXPECT_NEAR(score.of(smooth), 2.0 * alone, 1e-9) << "a model's own does not count";
+}
+
+/// Residuals that look white, and consist of noise that is not.
+TEST(PredictiveScore, InflationIsAtLeastThatOfTheNoiseInTheResidual) {
+  const TwoRecordings two;
+  ScoredChannels channels = two.channels();
+  const double sensor = 1e-3, input = 2e-3, torque = 4e-3;
+  channels.noise.setConstant(sensor);
+  channels.input = {Eigen::Vector2d::Constant(input), Eigen::Vector2d::Constant(30.0)};
+  channels.torque = {Eigen::Vector2d::Constant(torque), Eigen::Vector2d::Constant(90.0)};
+  const auto inflation = [&](double variance) {
+    PredictiveScore score(channels, two.data->blocks(), 0, 1);
+    const BlockSquares left = two.squares(variance, variance);
+    score.learnInflation(left);
+    return -0.5 * left.count.sum() * std::log(variance) / score.of(left);
+  };
+  const double s = sensor * sensor, i = input * input, known = s + i;
+  EXPECT_NEAR(inflation(known), (s * s + 2.0 * s * i + 30.0 * i * i) / (known * known), 1e-6);
+  EXPECT_GT(inflation(1.5 * known), inflation(known)) << "torques between the rows";
+  const double most = inflation(known + torque * torque);
+  EXPECT_GT(most, 30.0);
+  EXPECT_LT(most, 90.0);
+  EXPECT_NEAR(inflation(100.0 * known), most, 1e-6) << "no more than torques can cause";
 }
 
 TEST(PredictiveScore, AModelThatDivergedIsTheWorstAndTeachesNothing) {

@@ -32,8 +32,8 @@ Selection undecided(const FitData& data, const Planted& planted) {
   SetFitter::thin(with);
   return {.base = without.fit,
           .base_squares = without.squares,
-          .input_noise = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(data.channels().size())),
-          .torque_noise = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(data.channels().size())),
+          .input_noise = noInputNoise(static_cast<Eigen::Index>(data.channels().size())),
+          .torque_noise = noInputNoise(static_cast<Eigen::Index>(data.channels().size())),
           .best = without.fit,
           .best_squares = without.squares,
           .weighting = without.weighting,
@@ -103,9 +103,9 @@ TEST(Verdict, TorquesExplainNoMoreThanEffectsLeave) {
   selection.base_squares.sum.row(1) = 25.0 * noise * noise * selection.base_squares.count.row(1);
   selection.best_squares.sum.row(1) = 10.0 * noise * noise * selection.best_squares.count.row(1);
   EXPECT_NEAR(explainedShare(data, selection), 15.0 / 24.0, 1e-9);
-  selection.torque_noise[1] = 2.0 * noise;
+  selection.torque_noise.rms[1] = 2.0 * noise;
   EXPECT_NEAR(explainedShare(data, selection), 15.0 / 20.0, 1e-9);
-  selection.torque_noise[1] = 20.0 * noise;  // an upper bound
+  selection.torque_noise.rms[1] = 20.0 * noise;  // an upper bound
   EXPECT_NEAR(explainedShare(data, selection), 1.0, 1e-9);
 }
 
