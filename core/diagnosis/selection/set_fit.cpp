@@ -11,9 +11,10 @@ namespace {
 constexpr int kShortIterations = 3;                       // of a fit that ranks candidates
 constexpr int kShortIterationsRigid = 6;                  // of rigid drives, whose errors of force add up
 constexpr double kStartShares[] = {1.0, 0.3, 0.1, 0.03};  // of the way that a score test predicts
-constexpr int kFirstIterations = 20;  // of the nominal structure, whose numbers start from the robot file
-constexpr int kLastIterations = 12;   // of each pass of a settled fit
-constexpr int kPasses = 3;            // of a settled fit, each with the weights of the residual before
+/// Most iterations of each pass of a settled fit: of the nominal structure, whose numbers start from the
+/// robot file (rigid drives take up to 44), and of sets of effects, which start from another fit.
+constexpr int kFirstIterations = 60, kLastIterations = 12;
+constexpr int kPasses = 3;  // of a settled fit, each with the weights of the residual before
 
 /// Falls of the objective [nats] at which a fit stands still: while weights still change, and at the end.
 constexpr double kRough = 0.3, kFine = 0.1;
@@ -40,7 +41,10 @@ SetFit SetFitter::nominal(const FitModel& model, const Eigen::VectorXd& u) const
   set.weighting.weights = weightsFor(data_, e);
   set.fit =
       fit(data_, model, u, initial, set.weighting, {.iterations = kFirstIterations, .tolerance = kRough});
-  return settled(std::move(set));
+  std::vector<SetFit> one;
+  one.push_back(std::move(set));
+  settle(one, kFirstIterations);
+  return std::move(one.front());
 }
 
 namespace {
@@ -175,6 +179,11 @@ bool areSteady(const Eigen::VectorXd& before, const Eigen::VectorXd& after) {
 }  // namespace
 
 std::vector<SetFit> SetFitter::settled(std::vector<SetFit> sets) const {
+  settle(sets, kLastIterations);
+  return sets;
+}
+
+void SetFitter::settle(std::vector<SetFit>& sets, int iterations) const {
   std::vector<SetFit*> moving;
   for (SetFit& set : sets) moving.push_back(&set);
   for (int pass = 1; pass <= kPasses && !moving.empty() && !data_.cancelled(); ++pass) {
@@ -185,7 +194,7 @@ std::vector<SetFit> SetFitter::settled(std::vector<SetFit> sets) const {
       if (pass > 1 && areSteady(set->weighting.weights, weights)) continue;
       set->weighting.weights = std::move(weights);
       FitTask task{set->fit.model, set->fit.u, set->fit.initial, set->weighting};
-      task.options = {.iterations = kLastIterations, .tolerance = toleranceOf(pass)};
+      task.options = {.iterations = iterations, .tolerance = toleranceOf(pass)};
       if (!data_.rigid() && set->fit.jacobian.size() > 0) task.options.begun = &set->fit;
       tasks.push_back(std::move(task));
       fitted.push_back(set);
@@ -196,7 +205,6 @@ std::vector<SetFit> SetFitter::settled(std::vector<SetFit> sets) const {
   }
   holdOut(sets);
   for (SetFit& set : sets) set.settled = set.effects.empty() || !data_.cancelled();
-  return sets;
 }
 
 SetFit SetFitter::settled(SetFit set) const {

@@ -65,6 +65,7 @@ class SetFitter {
  private:
   FitTask shortFit(const SetFit& parent, FitModel model, Eigen::VectorXd u) const;
   std::vector<SetFit> fitted(const std::vector<FitTask>& tasks, std::vector<EffectSet> effects) const;
+  void settle(std::vector<SetFit>& sets, int iterations) const;
   void holdOut(std::vector<SetFit>& sets) const;
 
   const FitData& data_;
