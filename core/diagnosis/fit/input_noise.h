@@ -14,6 +14,7 @@ struct InputNoise {
   /// squares as uncertain as these changes do, N = 2 E(S)² / var(S) (Satterthwaite 1946).
   Eigen::VectorXd correlation;
 };
+/// RMS 0 of every channel, with correlation length 1.
 InputNoise noInputNoise(Eigen::Index channels);
 
 /// Changes by noise in the inputs (load cells; motor encoders of cable drives), from kInputDraws simulations

@@ -66,7 +66,7 @@ class PredictiveScore {
 
   std::vector<Eigen::Index> group_;            ///< group of each channel
   Eigen::VectorXd noise_, floor_, inflation_;  ///< variances and correlation length, one entry per group
-  std::vector<GroupNoise> parts_;
+  std::vector<GroupNoise> parts_;              ///< noise of each group
   Eigen::VectorXd best_;   ///< smallest variance of a residual so far, not below the noise
   Eigen::MatrixXd times_;  ///< how often each block is drawn, blocks × draws
 };
